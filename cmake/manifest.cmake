@@ -1,0 +1,8 @@
+# Which chapter introduces which file of common/physics, in the order of the chapters.
+# tests/include_rule.py reads this list: a chapter, and every file that it introduces, may
+# include only what it or an earlier chapter introduced.
+#
+# Each row: chapter, then concepts; a concept X is the file X.hpp and, if there is one, X.cpp.
+set(timestep_manifest
+  "01-particles: precision real integrator euler forces exact"
+)
