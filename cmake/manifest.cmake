@@ -4,5 +4,5 @@
 #
 # Each row: chapter, then concepts; a concept X is the file X.hpp and, if there is one, X.cpp.
 set(timestep_manifest
-  "01-particles: precision real integrator euler forces exact"
+  "01-particles: precision real integrator euler particle forces rounding exact"
 )

@@ -1,0 +1,149 @@
+#include "tests/truth/runner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "common/graphics/input_error.hpp"
+
+namespace timestep::truth {
+namespace {
+
+Json load(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  try {
+    Json document = Json::parse(in);
+    if (!document.at("cases").is_array()) throw InputError("no list of cases");
+    return document;
+  } catch (const std::exception& error) {
+    throw InputError(
+        fmt::format("{}: not a truth file: {}", file.string(), error.what()));
+  }
+}
+
+// The library of the wanted precision comes first. Cases that name a precision of their
+// own (float_spacing, say) are refused by one of the two and so reach the other.
+std::vector<Kind> find_kinds(const std::string& name, Precision precision) {
+  std::vector<std::span<const Kind>> libraries{single_precision::truth_kinds_01(),
+                                               double_precision::truth_kinds_01()};
+  if (precision == Precision::double_) std::ranges::reverse(libraries);
+
+  std::vector<Kind> found;
+  for (const std::span<const Kind> library : libraries)
+    std::ranges::copy_if(library, std::back_inserter(found),
+                         [&](const Kind& kind) { return kind.name == name; });
+  return found;
+}
+
+std::vector<double> components(const Json& value) {
+  if (value.is_number()) return {value.get<double>()};
+  std::vector<double> all;
+  for (const Json& part : value) {
+    const std::vector<double> inner = components(part);
+    all.insert(all.end(), inner.begin(), inner.end());
+  }
+  return all;
+}
+
+// |got - expected| <= abs + rel max|expected|; NaN never passes.
+bool close(const Json& got, const Json& expected, double rel, double abs) {
+  const std::vector<double> g = components(got);
+  const std::vector<double> e = components(expected);
+  if (g.size() != e.size()) return false;
+  double largest = 0;
+  for (const double x : e) largest = std::max(largest, std::abs(x));
+  for (std::size_t i = 0; i < g.size(); ++i)
+    if (!std::isfinite(g[i]) || std::abs(g[i] - e[i]) > abs + rel * largest)
+      return false;
+  return true;
+}
+
+Outcome compare(const Json& test, const Computed& computed, Precision precision) {
+  Outcome outcome{
+      .id = test.at("id"), .kind = test.at("kind"), .computed = computed.fields};
+  const double rel = test.at("tol").at("rel");
+  const double abs = test.at("tol").at("abs");
+  for (const auto& [name, expected] : test.at("expected").items()) {
+    if (!computed.fields.contains(name)) {
+      ++outcome.fields_not_computed;
+      continue;
+    }
+    const Json& got = computed.fields.at(name);
+    const bool derived =
+        precision == Precision::single && computed.single_tolerance.contains(name);
+    const double extra = derived ? computed.single_tolerance.at(name).get<double>() : 0;
+    if (!close(got, expected, rel, abs + extra) && outcome.failure.empty())
+      outcome.failure = fmt::format("{}: computed {}, expected {}, tolerance {:.3g}",
+                                    name, got.dump(), expected.dump(), abs + extra);
+  }
+  outcome.pass = outcome.failure.empty() && !computed.fields.empty();
+  return outcome;
+}
+
+bool run_case(const Json& test, Precision precision, Outcome& outcome) {
+  for (const Kind& kind : find_kinds(test.at("kind"), precision)) {
+    try {
+      outcome = compare(test, kind.compute(test.at("inputs")), precision);
+      return true;
+    } catch (const NotCovered&) {
+      return false;
+    } catch (const OtherPrecision&) {
+      continue;
+    }
+  }
+  return false;
+}
+
+Tally& tally_of(Report& report, const std::string& kind) {
+  const auto found =
+      std::ranges::find(report.kinds, kind, &std::pair<std::string, Tally>::first);
+  if (found != report.kinds.end()) return found->second;
+  return report.kinds.emplace_back(kind, Tally{}).second;
+}
+
+void add(Report& report, const Json& test, Precision precision) {
+  Outcome outcome;
+  Tally& tally = tally_of(report, test.at("kind"));
+  if (!run_case(test, precision, outcome)) {
+    ++tally.not_covered;
+    ++report.total.not_covered;
+    return;
+  }
+  ++(outcome.pass ? tally.passed : tally.failed);
+  ++(outcome.pass ? report.total.passed : report.total.failed);
+  report.outcomes.push_back(std::move(outcome));
+}
+
+}  // namespace
+
+Report run_cases(const std::vector<std::filesystem::path>& files,
+                 const std::string& kind, Precision precision) {
+  Report report;
+  for (const std::filesystem::path& file : files) {
+    const Json document = load(file);
+    for (const Json& test : document.at("cases")) {
+      try {
+        if (kind.empty() || test.at("kind") == kind) add(report, test, precision);
+      } catch (const Json::exception& error) {
+        throw InputError(fmt::format("{}: case {}: {}", file.string(),
+                                     test.value("id", "without id"), error.what()));
+      }
+    }
+  }
+  if (report.kinds.empty())
+    throw InputError(kind.empty() ? "no cases" : "no case of kind '" + kind + "'");
+  return report;
+}
+
+Json to_json(const Report& report) {
+  Json cases = Json::array();
+  for (const Outcome& o : report.outcomes)
+    cases.push_back(
+        {{"id", o.id}, {"kind", o.kind}, {"computed", o.computed}, {"pass", o.pass}});
+  return {{"cases", cases}};
+}
+
+}  // namespace timestep::truth
