@@ -53,19 +53,29 @@ Coordinate rise_and_fall(double v, double vt, double g, double t) {
   return {height - down.x, -down.v};
 }
 
-// The path in the vertical plane, over s = asinh(slope), which falls as time passes.
+// The path in the vertical plane, over d = s0 - s with s = asinh(slope): 0 at the start
+// and growing as the path bends down.
 struct Hodograph {
   double u0, s0, g, k_over_m;
 
-  static double length(double s) { return std::sinh(s) * std::cosh(s) + s; }
-
-  // Horizontal speed where the path has the slope sinh(s): Bernoulli's closed form
-  double u(double s) const {
-    return 1 / std::sqrt(1 / (u0 * u0) + k_over_m / g * (length(s0) - length(s)));
+  // Horizontal speed: Bernoulli's closed form. F(s0) - F(s) with F = sinh s cosh s + s
+  // is written as a product, so that nothing cancels near the start.
+  double u(double d) const {
+    const double fall = std::cosh(2 * s0 - d) * std::sinh(d) + d;
+    return 1 / std::sqrt(1 / (u0 * u0) + k_over_m / g * fall);
   }
 
-  // Time, distance and height gained between two slopes: 10-point Gauss-Legendre
-  glm::dvec3 between(double s_from, double s_to) const {
+  double dt_dd(double d) const { return u(d) * std::cosh(s0 - d) / g; }
+
+  // How far Gauss quadrature may reach from d: u has a pole at a distance of about
+  // g / (2 k/m v²) before d, and 10 nodes reach round-off over half of that.
+  double panel(double d) const {
+    const double v = u(d) * std::cosh(s0 - d);
+    return std::min(0.125, g / (4 * k_over_m * v * v));
+  }
+
+  // Time, distance and height gained between two places: 10-point Gauss-Legendre
+  glm::dvec3 between(double d_from, double d_to) const {
     static constexpr std::array<std::array<double, 2>, 5> nodes{{
         {0.1488743389816312, 0.2955242247147529},
         {0.4333953941292472, 0.2692667193099963},
@@ -73,54 +83,53 @@ struct Hodograph {
         {0.8650633666889845, 0.1494513491505806},
         {0.9739065285171717, 0.0666713443086881},
     }};
-    const double middle = (s_from + s_to) / 2;
-    const double half = (s_from - s_to) / 2;
+    const double middle = (d_from + d_to) / 2;
+    const double half = (d_to - d_from) / 2;
     glm::dvec3 sum{0};
     for (const auto& [node, weight] : nodes) {
-      for (const double s : {middle - half * node, middle + half * node}) {
-        const double u_s = u(s);
-        const double dt_ds = u_s * std::cosh(s) / g;
-        sum += weight * half * dt_ds * glm::dvec3(1, u_s, u_s * std::sinh(s));
+      for (const double d : {middle - half * node, middle + half * node}) {
+        const glm::dvec3 rate{1, u(d), u(d) * std::sinh(s0 - d)};
+        sum += weight * half * dt_dd(d) * rate;
       }
     }
     return sum;
   }
 };
 
-// Distance, height (x, y of the results) and velocity in the plane after t.
+// Distance and height (x, y) and velocity in the plane after t.
 struct PlaneMotion {
   glm::dvec2 x, v;
 };
 
 PlaneMotion fly(const Hodograph& path, double t) {
-  constexpr double k_panel = 0.125;   // narrow enough for 10 nodes to reach round-off
   constexpr double k_straight = -36;  // slope -2e15: straight down, to round-off
-  double s = path.s0;
+  double d = 0;
   glm::dvec3 sum{0};
 
   // Whole panels while the time is not used up
-  while (s > k_straight) {
-    const glm::dvec3 panel = path.between(s, s - k_panel);
+  while (path.s0 - d > k_straight) {
+    const double next = d + path.panel(d);
+    const glm::dvec3 panel = path.between(d, next);
     if (sum.x + panel.x > t) break;
     sum += panel;
-    s -= k_panel;
+    d = next;
   }
   const double left = t - sum.x;
-  if (s <= k_straight) {
+  if (path.s0 - d <= k_straight) {
     const double vt = std::sqrt(path.g / path.k_over_m);
-    const Coordinate down = fall(-path.u(s) * std::sinh(s), vt, path.g, left);
-    return {{sum.y, sum.z - down.x}, {path.u(s), -down.v}};
+    const Coordinate down = fall(-path.u(d) * std::sinh(path.s0 - d), vt, path.g, left);
+    return {{sum.y, sum.z - down.x}, {path.u(d), -down.v}};
   }
 
-  // The part of the last panel: Newton on its time, monotone and smooth
-  double s_end = s;
+  // The part of the last panel: Newton on its time, which is smooth and grows with d
+  double end = d;
   for (int i = 0; i < 8; ++i) {
-    const double time = s_end < s ? path.between(s, s_end).x : 0;
-    s_end += (time - left) * path.g / (path.u(s_end) * std::cosh(s_end));
+    const double time = end > d ? path.between(d, end).x : 0;
+    end += (left - time) / path.dt_dd(end);
   }
-  sum += path.between(s, s_end);
-  const double u = path.u(s_end);
-  return {{sum.y, sum.z}, {u, u * std::sinh(s_end)}};
+  sum += path.between(d, end);
+  const double u = path.u(end);
+  return {{sum.y, sum.z}, {u, u * std::sinh(path.s0 - end)}};
 }
 
 }  // namespace
