@@ -75,5 +75,4 @@ endif()
 
 # Optional: what needs them says so when it is asked for
 find_package(assimp QUIET)
-find_package(benchmark QUIET)
-message(STATUS "assimp (mesh files): ${assimp_FOUND}; benchmark: ${benchmark_FOUND}")
+message(STATUS "assimp, for mesh files: ${assimp_FOUND}")

@@ -38,7 +38,8 @@ std::vector<exact::Motion> emit_from_nozzle(std::size_t n, double speed,
     const double up = random.uniform(std::cos(spread), 1);
     const double side = std::sqrt(1 - up * up);
     const double psi = random.uniform(0, 2 * std::numbers::pi);
-    v = speed * glm::dvec3(side * std::cos(psi), up, side * std::sin(psi));
+    const double slower = std::sqrt(random.uniform(0.7, 1));
+    v = slower * speed * glm::dvec3(side * std::cos(psi), up, side * std::sin(psi));
   }
   return starts;
 }

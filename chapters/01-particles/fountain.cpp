@@ -122,14 +122,15 @@ std::vector<Metric> Fountain::metrics() const {
 }
 
 void Fountain::draw(DrawList& list) const {
-  constexpr Color k_foam{0.93F, 0.97F, 1, 1};
+  constexpr Color k_foam{0.88F, 0.95F, 1, 1};
+  constexpr Color k_water{0.02F, 0.33F, 0.66F, 1};
+  const Color fast = setup_.lane == 0 ? k_water : setup_.style.color;
   const auto fastest =
       static_cast<float>(std::max(setup_.parameters.at("speed"), 1e-9));
   list.balls.reserve(list.balls.size() + starts_.size());
   for (std::size_t i = 0; i < starts_.size(); ++i) {
     const auto speed = static_cast<float>(glm::length(at(droplets_.v, i)));
-    const Color color =
-        glm::mix(k_foam, setup_.style.color, std::min(speed / fastest, 1.0F));
+    const Color color = glm::mix(k_foam, fast, std::min(speed / fastest, 1.0F));
     list.balls.push_back({picture(wide(at(droplets_.x, i))), 0.012F, color});
   }
 }
@@ -153,7 +154,7 @@ Scene fountain_scene() {
       .default_methods = {"semi_implicit_euler"},
       .parameters = {{"particles", "", "in the air", 100'000, 1, 1'000'000, true},
                      {"speed", "m/s", "at the start", 9, 0, 1e3},
-                     {"spread", "rad", "half angle of the nozzle", 0.22, 0, 1.5},
+                     {"spread", "rad", "half angle of the nozzle", 0.16, 0, 1.5},
                      {"gravity", "m/s²", "downwards", 9.81, 0, 1e3},
                      {"drag_rate", "1/s", "c/m in F = -c v", 0.4, 0, 1e6},
                      {"lifetime", "s", "of a droplet", 1.6, 1e-3, 1e3}},

@@ -149,7 +149,7 @@ std::vector<Metric> FrameDrops::metrics() const {
 // picture stays at its edge.
 glm::vec3 FrameDrops::graph_point(double t, double x) const {
   const double right = 12 * t / setup_.duration - 6;
-  return {right, 2.4 + std::clamp(x, -2.2, 2.2), 0};
+  return {right, 3.2 + std::clamp(x, -2.4, 2.4), 0};
 }
 
 void FrameDrops::draw(DrawList& list) const {
@@ -192,7 +192,7 @@ Scene frame_drops_scene() {
                      {"max_step", "s", "for semi_fixed", 1.0 / 30, 1e-4, 1},
                      {"max_steps", "", "in a frame, for fixed", 30, 1, 1000, true}},
       .duration = 4,
-      .camera = {.target = {0, 2.3F, 0}, .distance = 11.5F, .yaw = 0, .pitch = 0.06F},
+      .camera = {.target = {0, 2.1F, 0}, .distance = 12.5F, .yaw = 0, .pitch = 0.08F},
       .chart_metric = "energy_ratio",
       .chart_logarithmic = true,
       .start = [](const Setup& setup) { return std::make_unique<FrameDrops>(setup); },

@@ -1,5 +1,5 @@
 /// @file
-/// What the scenes of chapter 1 share, and the four of them one by one.
+/// What the scenes of chapter 1 share, and each of them.
 #pragma once
 
 #include <string_view>
@@ -14,6 +14,7 @@ Scene projectile_scene();
 Scene spring_scene();
 Scene fountain_scene();
 Scene frame_drops_scene();
+Scene clock_scene();
 
 /// The three Euler methods as a scene offers them.
 std::vector<Method> euler_choices();

@@ -139,7 +139,9 @@ void Projectile::draw(DrawList& list) const {
   const double error = glm::distance(here, exact_at(time()).x);
   if (steps_ > 0)
     list.labels.push_back({.position = picture(here),
-                           .text = fmt::format("{:.3g} m off", error),
+                           .text = error < 1e-9 * glm::length(start_.v)
+                                       ? "exact but for rounding"
+                                       : fmt::format("{:.3g} m off", error),
                            .color = setup_.style.color});
 }
 
@@ -213,7 +215,7 @@ Scene projectile_scene() {
       .presets = balls(),
       .dt = 0.1,
       .duration = 2.4,
-      .camera = {.target = {9.2F, 3.2F, 0}, .distance = 17, .yaw = 0, .pitch = 0.12F},
+      .camera = {.target = {9.2F, 1.6F, 0}, .distance = 19, .yaw = 0, .pitch = 0.14F},
       .chart_metric = "position_error",
       .start = [](const Setup& setup) { return std::make_unique<Projectile>(setup); },
   };

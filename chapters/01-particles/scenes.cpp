@@ -9,7 +9,8 @@
 namespace timestep::inline TIMESTEP_PRECISION::chapter_01 {
 
 std::vector<Scene> scenes() {
-  return {projectile_scene(), spring_scene(), fountain_scene(), frame_drops_scene()};
+  return {projectile_scene(), spring_scene(), fountain_scene(), frame_drops_scene(),
+          clock_scene()};
 }
 
 std::vector<Method> euler_choices() {

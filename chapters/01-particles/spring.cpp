@@ -106,6 +106,7 @@ std::vector<Metric> Spring::metrics() const {
       {"position_error_max", "m", largest_error_},
       {"omega_dt", "", omega_ * setup_.dt},
       {"x", "m", now().x},
+      {"v", "m/s", now().v},
       {"x_exact", "m", e.x},
   };
 }
@@ -116,14 +117,14 @@ std::vector<Metric> Spring::metrics() const {
 glm::vec3 Spring::phase_point(const exact::Coordinate& c) const {
   const double amplitude = std::sqrt(2 * energy(start_) / stiffness_);
   const glm::dvec2 p = glm::dvec2(c.x, c.v / omega_) / amplitude;
-  return {3.4 + 1.25 * p.x, 1.9 + 1.25 * p.y, 0};
+  return {2.6 + 1.15 * p.x, 2.6 + 1.15 * p.y, -1.2};
 }
 
 void Spring::draw(DrawList& list) const {
   const auto lane = static_cast<float>(setup_.lane);
   const auto x = static_cast<float>(now().x / std::hypot(start_.x, start_.v / omega_));
   const glm::vec3 wall{-3.6F, 0.35F, 1.1F * lane - 1.1F};
-  const glm::vec3 center{-1.2F + x, wall.y, wall.z};
+  const glm::vec3 center{-1.4F + x, wall.y, wall.z};
 
   // The coil: eleven turns between the wall and the mass
   Polyline coil{.points = {}, .color = k_muted, .width = 2.5F};

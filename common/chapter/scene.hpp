@@ -5,13 +5,14 @@
 
 #include <filesystem>
 #include <functional>
-#include <glm/glm.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "common/graphics/draw_list.hpp"
 
@@ -40,10 +41,12 @@ struct Method {
 /// What to simulate: one method, every parameter's value, the step.
 struct Setup {
   std::string method;
-  Style style;                              ///< of that method
-  double dt = 0;                            ///< fixed time step [s]
-  std::map<std::string, double> parameters; ///< every parameter of the scene
-  std::filesystem::path mesh;               ///< the user's mesh; empty if none
+  Style style;           ///< of that method
+  std::size_t lane = 0;  ///< place among the methods that run side by side
+  double dt = 0;         ///< fixed time step [s]
+  double duration = 0;   ///< simulated time that is planned [s]
+  std::map<std::string, double> parameters;  ///< every parameter of the scene
+  std::filesystem::path mesh;                ///< the user's mesh; empty if none
 };
 
 /// One body's state, as it is written to files. Metres, metres a second, radians a
@@ -51,8 +54,8 @@ struct Setup {
 struct BodyState {
   std::string name;
   glm::dvec3 position{0}, velocity{0};
-  std::optional<glm::dquat> orientation;
-  std::optional<glm::dvec3> angular_velocity;
+  std::optional<glm::dquat> orientation{};
+  std::optional<glm::dvec3> angular_velocity{};
 };
 
 /// A measured number. The scene's first metric is its headline.
@@ -67,8 +70,12 @@ class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Advances by `setup.dt`.
+  /// Advances by `setup.dt`. This alone is timed.
   virtual void step() = 0;
+
+  /// Called at the start and after every step, outside of the timing: keeps track of
+  /// what the metrics and the picture need (the largest error so far, a trail).
+  virtual void observe() {}
 
   /// Every body, in a fixed order.
   virtual std::vector<BodyState> bodies() const = 0;
@@ -95,12 +102,12 @@ struct Scene {
   std::vector<Method> methods;
   std::vector<std::string> default_methods;  ///< drawn over each other if several
   std::vector<Parameter> parameters;
-  std::vector<Preset> presets;
+  std::vector<Preset> presets{};
   bool takes_mesh = false;  ///< `--mesh FILE` is understood
   double dt = 1.0 / 60.0;   ///< default step [s]
   double duration = 5;      ///< default simulated time [s]
-  CameraPose camera;
-  std::string chart_metric;  ///< the metric drawn over time; none if empty
+  CameraPose camera{};
+  std::string chart_metric{};  ///< the metric drawn over time; none if empty
   bool chart_logarithmic = false;
   std::function<std::unique_ptr<Simulation>(const Setup&)> start;
 };

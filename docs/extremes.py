@@ -1,0 +1,91 @@
+"""Runs a chapter's extremes and prints the table of outcomes as Markdown.
+
+Each row of chapters/NN-name/extremes.json is one run in both precisions: its `args`, the
+`metric` that judges it, and two limits: up to `accurate` the run counts as accurate, up to
+`bounded` as bounded (wrong, but within sight), beyond as exploded. A run whose numbers cease
+to be finite must say so itself: "overflows". `expect` has the verdicts that are published; any
+other verdict is one line on standard error and exit code 1.
+"""
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PRECISIONS = ("double", "single")
+
+
+@dataclass
+class Outcome:
+    verdict: str
+    number: str
+
+
+def measure(program: Path, row: dict, precision: str) -> Outcome:
+    """Runs one extreme and judges it."""
+    command = [str(program), "--headless", "--results", "-", "--precision", precision,
+               *row["args"]]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    if done.returncode == 2:
+        return Outcome("refused", "")
+    if done.returncode != 0:
+        return Outcome("crashed", done.stderr.strip().splitlines()[-1])
+
+    results = json.loads(done.stdout)
+    if "failed" in results:
+        return Outcome("overflows", f"step {results['failed']['step']}")
+    metric = results["metrics"][row["metric"]]
+    size = abs(float(metric["value"]))
+    verdict = ("accurate" if size <= row["accurate"] else
+               "bounded" if size <= row["bounded"] else "explodes")
+    return Outcome(verdict, f"{size:.2g} {metric['unit']}".strip())
+
+
+def cell(outcome: Outcome) -> str:
+    return f"{outcome.verdict}: {outcome.number}" if outcome.number else outcome.verdict
+
+
+def table(rows: list[dict], outcomes: list[list[Outcome]]) -> str:
+    lines = ["| extreme | judged by | double | single | what to do |",
+             "|---|---|---|---|---|"]
+    for row, pair in zip(rows, outcomes):
+        cells = [row["what"], row["metric"].replace("_", " "), *map(cell, pair), row["remedy"]]
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def surprises(rows: list[dict], outcomes: list[list[Outcome]]) -> list[str]:
+    return [f"{row['what']}, {precision}: {outcome.verdict}, published {expected}"
+            for row, pair in zip(rows, outcomes)
+            for precision, outcome, expected in zip(PRECISIONS, pair, row["expect"])
+            if outcome.verdict != expected]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("chapter", help="such as 01-particles")
+    parser.add_argument("--bin", type=Path, default=ROOT / "build/release/bin")
+    options = parser.parse_args()
+    file = ROOT / "chapters" / options.chapter / "extremes.json"
+    rows = json.loads(file.read_text(encoding="utf-8"))
+
+    program = options.bin / options.chapter
+    jobs = [(row, precision) for row in rows for precision in PRECISIONS]
+    with ThreadPoolExecutor(2) as pool:
+        flat = list(pool.map(lambda job: measure(program, *job), jobs))
+    outcomes = [flat[i:i + 2] for i in range(0, len(flat), 2)]
+
+    print(table(rows, outcomes))
+    wrong = surprises(rows, outcomes)
+    for line in wrong:
+        print(f"extremes: {line}", file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
