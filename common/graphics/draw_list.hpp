@@ -1,15 +1,16 @@
 /// @file
-/// What there is to see, as plain data: no OpenGL, no files, no physics. A scene fills a
-/// draw list, a renderer shows it; another viewer could take the same list.
-/// Positions and sizes in metres, world frame, y up; colours are sRGB with alpha, 0 to 1;
-/// widths and marker sizes in pixels of a picture 720 pixels high, scaled with it.
+/// What there is to see, as plain data: no OpenGL, no files, no physics. A scene fills
+/// a draw list, a renderer shows it; another viewer could take the same list. Positions
+/// and sizes in metres, world frame, y up; colours are sRGB with alpha, 0 to 1; widths
+/// and marker sizes in pixels of a picture 720 pixels high, scaled with it.
 #pragma once
 
-#include <glm/glm.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 #include "common/graphics/mesh_data.hpp"
 
@@ -27,8 +28,8 @@ struct Style {
   Dash dash = Dash::solid;
 };
 
-/// Unit shapes, centred on the origin: sphere of radius 1, box from -1 to 1, cylinder and
-/// cone of radius 1 along y from -1 to 1 (the cone's tip at +1).
+/// Unit shapes, centred on the origin: sphere of radius 1, box from -1 to 1, cylinder
+/// and cone of radius 1 along y from -1 to 1 (the cone's tip at +1).
 enum class ShapeKind { sphere, box, cylinder, cone };
 
 struct Shape {
@@ -51,7 +52,8 @@ struct Ball {
   Color color{0.8F, 0.8F, 0.8F, 1};
 };
 
-/// A line through points; `fade` lets its old end (the first point) fade out, as a trail.
+/// A line through points; `fade` lets its old end (the first point) fade out, as a
+/// trail.
 struct Polyline {
   std::vector<glm::vec3> points;
   Color color{0, 0, 0, 1};

@@ -5,8 +5,9 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <glm/glm.hpp>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 namespace timestep {
 
@@ -22,10 +23,10 @@ struct MeshData {
 /// Whether this build can read mesh files at all (it was built with assimp).
 bool can_load_meshes();
 
-/// Reads an OBJ or glTF file (or another format that assimp knows), all its parts joined
-/// in the file's own frame. Throws InputError if the file is missing, broken, without
-/// triangles, with an index out of range or a vertex that is not finite, or if this build
-/// has no assimp.
+/// Reads an OBJ or glTF file (or another format that assimp knows), all its parts
+/// joined in the file's own frame. Throws InputError if the file is missing, broken,
+/// without triangles, with an index out of range or a vertex that is not finite, or if
+/// this build has no assimp.
 MeshData load_mesh(const std::filesystem::path& file);
 
 }  // namespace timestep

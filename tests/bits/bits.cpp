@@ -1,5 +1,5 @@
-// Prints the bits that the physics ends with, so that builds can be compared: every method
-// under every force, and the exact motions. Compiled once for each precision.
+// Prints the bits that the physics ends with, so that builds can be compared: every
+// method under every force, and the exact motions. Compiled once for each precision.
 #include <cstdio>
 #include <cstring>
 
@@ -34,10 +34,9 @@ void print_cloud(const NamedIntegrator& method) {
   const Acceleration acceleration = [](auto x, auto v, Real t, auto a) {
     for (std::size_t i = 0; i < x.size() / 3; ++i) {
       const Real m = 1 + Real(i) / 7;
-      const Vec3 force = weight(m, {0, Real(-9.81), 0})
-                         + spring(m * 30, at(x, i), {t / 10, 0, 0})
-                         + linear_drag(Real(0.3), at(v, i))
-                         + quadratic_drag(Real(0.02), at(v, i));
+      const Vec3 force =
+          weight(m, {0, Real(-9.81), 0}) + spring(m * 30, at(x, i), {t / 10, 0, 0})
+          + linear_drag(Real(0.3), at(v, i)) + quadratic_drag(Real(0.02), at(v, i));
       put(a, i, newton(force, 1 / m));
     }
   };
@@ -56,7 +55,8 @@ int main() {
   print("clock", accumulated_time(Real(1) / 60, 100'000));
   for (int i = 0; i < 50; ++i) {
     const double t = 0.1 * i;
-    const auto m = exact::quadratic_drag({{0, 1, 0}, {20, 25, -5}}, {0, -9.81, 0}, 0.05, t);
+    const auto m =
+        exact::quadratic_drag({{0, 1, 0}, {20, 25, -5}}, {0, -9.81, 0}, 0.05, t);
     const auto l = exact::linear_drag({{0, 1, 0}, {20, 25, -5}}, {0, -9.81, 0}, 0.3, t);
     print("quadratic", m.x.x + m.x.y + m.v.x + m.v.y);
     print("linear", l.x.x + l.x.y + l.v.x + l.v.y);
