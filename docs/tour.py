@@ -43,11 +43,20 @@ class Job:
     @property
     def command(self) -> list[str]:
         return [relative(self.program), "--offscreen", "--scene", self.scene["name"],
+                *tour_options(self.program.name, self.scene["name"]),
                 "--out", relative(self.folder)]
 
 
 def relative(path: Path) -> str:
     return str(path.relative_to(ROOT)) if path.is_relative_to(ROOT) else str(path)
+
+
+def tour_options(chapter: str, scene: str) -> list[str]:
+    """What shows a scene best, if that is not its defaults: "tour" in runs.json."""
+    file = ROOT / "chapters" / chapter / "runs.json"
+    if not file.is_file():
+        return []
+    return json.loads(file.read_text(encoding="utf-8")).get("tour", {}).get(scene, [])
 
 
 class Progress:

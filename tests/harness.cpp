@@ -356,5 +356,5 @@ TEST_CASE("pictures are put side by side") {
   CHECK(strip.width == 6);
   CHECK(strip.rgba[0] == 2);
   CHECK(strip.rgba[4] == 255);
-  CHECK(strip.rgba[5 * 4] == 2);
+  CHECK(strip.rgba[20] == 2);
 }

@@ -16,39 +16,40 @@ template <typename Real>
 class Ball1d : public Simulation {
  public:
   Ball1d(const Setup& setup, double position, double velocity)
-      : setup_(setup),
-        position_(static_cast<Real>(position)),
-        velocity_(static_cast<Real>(velocity)) {}
+      : chosen(setup),
+        coordinate(static_cast<Real>(position)),
+        rate(static_cast<Real>(velocity)) {}
 
   void step() override {
-    const Real dt = static_cast<Real>(setup_.dt);
-    const Real old_velocity = velocity_;
-    velocity_ += acceleration(position_) * dt;
-    position_ += (setup_.method == "late" ? old_velocity : velocity_) * dt;
-    time_ += setup_.dt;
+    const Real dt = static_cast<Real>(chosen.dt);
+    const Real old_velocity = rate;
+    rate += acceleration(coordinate) * dt;
+    coordinate += (chosen.method == "late" ? old_velocity : rate) * dt;
+    elapsed += chosen.dt;
   }
 
-  void observe() override { trail_.push_back(place()); }
+  void observe() override { path.push_back(place()); }
 
   std::vector<BodyState> bodies() const override {
-    return {{.name = "ball", .position = place(), .velocity = along(velocity_)}};
+    return {{.name = "ball", .position = place(), .velocity = along(rate)}};
   }
 
   std::vector<Metric> metrics() const override {
-    return {{"position_error", "m", std::abs(static_cast<double>(position_) - exact())},
-            {"speed", "m/s", std::abs(static_cast<double>(velocity_))}};
+    return {
+        {"position_error", "m", std::abs(static_cast<double>(coordinate) - exact())},
+        {"speed", "m/s", std::abs(static_cast<double>(rate))}};
   }
 
-  long long evaluations() const override { return std::llround(time_ / setup_.dt); }
+  long long evaluations() const override { return std::llround(elapsed / chosen.dt); }
   long long body_count() const override { return 1; }
 
   void draw(DrawList& list) const override {
-    const float side = static_cast<float>(setup_.lane);
+    const float side = static_cast<float>(chosen.lane);
     list.balls.push_back(
-        {glm::vec3(place()) + glm::vec3(side, 0, 0), 0.3F, setup_.style.color});
+        {glm::vec3(place()) + glm::vec3(side, 0, 0), 0.3F, chosen.style.color});
     Polyline trail{
-        .points = {}, .color = setup_.style.color, .dash = setup_.style.dash};
-    for (const glm::dvec3& point : trail_) {
+        .points = {}, .color = chosen.style.color, .dash = chosen.style.dash};
+    for (const glm::dvec3& point : path) {
       trail.points.push_back(glm::vec3(point) + glm::vec3(side, 0, 0));
     }
     list.lines.push_back(trail);
@@ -63,13 +64,13 @@ class Ball1d : public Simulation {
   virtual Real acceleration(Real position) const = 0;
   virtual double exact() const = 0;
   virtual glm::dvec3 along(Real value) const { return {0, value, 0}; }
-  glm::dvec3 place() const { return along(position_); }
-  double parameter(const char* name) const { return setup_.parameters.at(name); }
+  glm::dvec3 place() const { return along(coordinate); }
+  double parameter(const char* name) const { return chosen.parameters.at(name); }
 
-  Setup setup_;
-  double time_ = 0;
-  Real position_, velocity_;
-  std::vector<glm::dvec3> trail_;
+  Setup chosen;
+  double elapsed = 0;
+  Real coordinate, rate;
+  std::vector<glm::dvec3> path;
 };
 
 template <typename Real>
@@ -82,9 +83,10 @@ class Fall : public Ball1d<Real> {
     std::vector<BodyState> bodies = Ball1d<Real>::bodies();
     const double count = this->parameter("spinners");
     for (int i = 0; i < static_cast<int>(count); ++i) {
-      bodies.push_back({.name = "spinner, \"" + std::to_string(i) + "\"",
-                        .orientation = glm::angleAxis(this->time_, glm::dvec3(0, 0, 1)),
-                        .angular_velocity = glm::dvec3(0, 0, 1)});
+      bodies.push_back(
+          {.name = "spinner, \"" + std::to_string(i) + "\"",
+           .orientation = glm::angleAxis(this->elapsed, glm::dvec3(0, 0, 1)),
+           .angular_velocity = glm::dvec3(0, 0, 1)});
     }
     return bodies;
   }
@@ -95,7 +97,7 @@ class Fall : public Ball1d<Real> {
   }
   double exact() const override {
     return this->parameter("height")
-           - 0.5 * this->parameter("gravity") * this->time_ * this->time_;
+           - 0.5 * this->parameter("gravity") * this->elapsed * this->elapsed;
   }
 };
 
@@ -109,7 +111,7 @@ class Spring : public Ball1d<Real> {
     return static_cast<Real>(-this->parameter("stiffness")) * position;
   }
   double exact() const override {
-    return std::cos(std::sqrt(this->parameter("stiffness")) * this->time_);
+    return std::cos(std::sqrt(this->parameter("stiffness")) * this->elapsed);
   }
 };
 
@@ -118,7 +120,7 @@ class Fails : public Fall<double> {
  public:
   using Fall<double>::Fall;
   void step() override {
-    if (time_ > 0.1) throw std::runtime_error("the scene gave up");
+    if (elapsed > 0.1) throw std::runtime_error("the scene gave up");
     Fall<double>::step();
   }
 };

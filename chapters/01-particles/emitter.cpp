@@ -25,21 +25,25 @@ Triangle triangle(const MeshData& mesh, std::size_t i) {
 
 }  // namespace
 
-std::vector<exact::Motion> emit_from_nozzle(std::size_t n, double speed,
-                                            double spread) {
+std::vector<exact::Motion> emit_from_jets(std::size_t n, double speed, double lean) {
+  constexpr std::size_t k_middle =
+      4;                              // of 16 droplets in turn, those of the middle jet
+  constexpr std::size_t k_ring = 12;  // jets around it
   Random random(k_seed);
   std::vector<exact::Motion> starts(n);
-  for (auto& [x, v] : starts) {
-    // Evenly over the disc, then evenly over the cap of directions
-    const double r = 0.05 * std::sqrt(random.uniform(0, 1));
-    const double phi = random.uniform(0, 2 * std::numbers::pi);
-    x = {r * std::cos(phi), 0, r * std::sin(phi)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t turn = i % (k_middle + k_ring);
+    const bool middle = turn < k_middle;
+    const double around = 2 * std::numbers::pi * static_cast<double>(turn) / k_ring;
+    const glm::dvec3 outwards{std::cos(around), 0, std::sin(around)};
 
-    const double up = random.uniform(std::cos(spread), 1);
-    const double side = std::sqrt(1 - up * up);
-    const double psi = random.uniform(0, 2 * std::numbers::pi);
-    const double slower = std::sqrt(random.uniform(0.7, 1));
-    v = slower * speed * glm::dvec3(side * std::cos(psi), up, side * std::sin(psi));
+    // No jet is perfect: up to 2 % off its direction, up to 3 % slower
+    const double tilt = middle ? 0 : lean;
+    const glm::dvec3 direction =
+        std::sin(tilt) * outwards + glm::dvec3(0, std::cos(tilt), 0)
+        + glm::dvec3(random.uniform(-0.02, 0.02), 0, random.uniform(-0.02, 0.02));
+    starts[i].x = (middle ? 0.0 : 0.3) * outwards;
+    starts[i].v = speed * random.uniform(0.97, 1) * glm::normalize(direction);
   }
   return starts;
 }

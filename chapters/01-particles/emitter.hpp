@@ -1,5 +1,5 @@
 /// @file
-/// Where the fountain's droplets start: a nozzle, or the surface of a mesh.
+/// Where the fountain's droplets start: jets, or the surface of a mesh.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace timestep::inline TIMESTEP_PRECISION::chapter_01 {
 
-/// n starts within the angle `spread` [rad] around straight up, at `speed` [m/s], from
-/// a disc of 5 cm at the origin.
-std::vector<exact::Motion> emit_from_nozzle(std::size_t n, double speed, double spread);
+/// n starts from a jet that rises straight up and a ring of twelve, 0.3 m around it,
+/// that lean outwards by `lean` [rad]; at 0.97 to 1 times `speed` [m/s].
+std::vector<exact::Motion> emit_from_jets(std::size_t n, double speed, double lean);
 
 /// n starts evenly over the area of a mesh that stands on the ground and is scaled to 2
 /// m, along the surface's normals at `speed`.

@@ -3,15 +3,16 @@ from figure_style import new_figure
 
 
 def throw_error(runs):
-    """Error over time under constant acceleration: two straight lines, and zero."""
+    """Height above the exact flight over time: two straight lines, and zero."""
     run = runs["throw"]
     figure, axes = new_figure()
     time = run.history["time"]
     for method in run.methods:
-        error = run.history[f"{method}/position_error"]
+        height, exact = (run.history[f"{method}/{name}"] for name in ("y", "y_exact"))
+        error = [y - e for y, e in zip(height, exact)]
         axes.plot(time, error, label=method, markevery=12, **run.look(method))
     axes.set_xlabel("time [s]")
-    axes.set_ylabel("distance from the exact flight [m]")
+    axes.set_ylabel("height above the exact flight [m]")
     axes.legend()
     return figure
 

@@ -45,7 +45,7 @@ class Fountain : public Simulation {
   double drag_rate_, lifetime_;
   glm::dvec3 g_;
   std::shared_ptr<MeshData> mesh_;
-  std::vector<exact::Motion> starts_;  // of each droplet, where it leaves the nozzle
+  std::vector<exact::Motion> starts_;  // of each droplet, where it leaves its jet
   std::vector<double> births_;         // when it last left it [s]
   State droplets_;
   long long born_ = 0;  // droplet number j leaves at (j - n + 1) intervals
@@ -66,7 +66,7 @@ Fountain::Fountain(const Setup& setup)
     mesh_ = std::make_shared<MeshData>(stand_on_ground(load_mesh(setup.mesh)));
     starts_ = emit_from_mesh(n, speed, *mesh_);
   } else {
-    starts_ = emit_from_nozzle(n, speed, setup.parameters.at("spread"));
+    starts_ = emit_from_jets(n, speed, setup.parameters.at("lean"));
   }
 
   // The fountain has been running for a lifetime: every droplet is in the air
@@ -140,7 +140,7 @@ void Fountain::draw_reference(DrawList& list) const {
     list.meshes.push_back({.mesh = mesh_, .color = k_body});
     return;
   }
-  const glm::mat4 basin = glm::scale(glm::mat4(1), glm::vec3(0.25F, 0.06F, 0.25F));
+  const glm::mat4 basin = glm::scale(glm::mat4(1), glm::vec3(0.42F, 0.05F, 0.42F));
   list.shapes.push_back({ShapeKind::cylinder, basin, k_body});
 }
 
@@ -154,7 +154,7 @@ Scene fountain_scene() {
       .default_methods = {"semi_implicit_euler"},
       .parameters = {{"particles", "", "in the air", 100'000, 1, 1'000'000, true},
                      {"speed", "m/s", "at the start", 9, 0, 1e3},
-                     {"spread", "rad", "half angle of the nozzle", 0.16, 0, 1.5},
+                     {"lean", "rad", "of the outer jets", 0.3, 0, 1.5},
                      {"gravity", "m/s²", "downwards", 9.81, 0, 1e3},
                      {"drag_rate", "1/s", "c/m in F = -c v", 0.4, 0, 1e6},
                      {"lifetime", "s", "of a droplet", 1.6, 1e-3, 1e3}},

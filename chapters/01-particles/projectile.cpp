@@ -33,6 +33,7 @@ class Projectile : public Simulation {
   long long body_count() const override { return 1; }
   void draw(DrawList& list) const override;
   void draw_reference(DrawList& list) const override;
+  CameraPose camera(const CameraPose& usual) const override;
 
  private:
   double time() const { return static_cast<double>(steps_) * setup_.dt; }
@@ -119,9 +120,16 @@ std::vector<Metric> Projectile::metrics() const {
   };
 }
 
-// Sizes on the picture, in proportion to the flight: the default one is 20 m long.
+// Sizes on the picture, in proportion to the flight: the default one is 18 m long.
 double Projectile::scale() const {
-  return glm::distance(exact_at(setup_.duration).x, start_.x) / 20;
+  return std::max(glm::distance(exact_at(setup_.duration).x, start_.x) / 18, 1e-3);
+}
+
+CameraPose Projectile::camera(const CameraPose& usual) const {
+  CameraPose pose = usual;
+  pose.distance *= static_cast<float>(scale());
+  pose.target = picture(start_.x) + static_cast<float>(scale()) * usual.target;
+  return pose;
 }
 
 void Projectile::draw(DrawList& list) const {
@@ -215,7 +223,7 @@ Scene projectile_scene() {
       .presets = balls(),
       .dt = 0.1,
       .duration = 2.4,
-      .camera = {.target = {9.2F, 1.6F, 0}, .distance = 19, .yaw = 0, .pitch = 0.14F},
+      .camera = {.target = {10.5F, 1.6F, 0}, .distance = 20, .yaw = 0, .pitch = 0.14F},
       .chart_metric = "position_error",
       .start = [](const Setup& setup) { return std::make_unique<Projectile>(setup); },
   };

@@ -33,8 +33,9 @@ fs::path behind_links(const fs::path& target) {
 Outputs::~Outputs() {
   std::error_code ignored;
   for (const auto& [temporary, target] : staged_) fs::remove(temporary, ignored);
-  for (auto folder = new_folders_.rbegin(); folder != new_folders_.rend(); ++folder) {
-    fs::remove(*folder, ignored);  // only if it is empty
+  std::ranges::reverse(new_folders_);  // the innermost first
+  for (const fs::path& folder : new_folders_) {
+    fs::remove(folder, ignored);  // only if it is empty
   }
 }
 

@@ -85,6 +85,7 @@ Recorder::Recorder(const Plan& plan, std::span<const Lane> lanes, const MetricLo
     : plan_(plan),
       lanes_(lanes),
       log_(log),
+      camera_(usual_camera(plan, lanes)),
       recording_(std::move(recording)),
       moments_(plan_moments(plan, recording_)),
       studio_(std::make_unique<Studio>(recording_.size)) {
@@ -136,12 +137,12 @@ void Recorder::shoot(const Moment& moment, DrawList list) {
     simplify_for_filmstrip(list, moment.index);
     filmstrip_.push_back(std::move(list));
   } else if (moment.use == Moment::Use::frame) {
-    write_png(studio_->render(list, scene.camera), recording_.frames[moment.index]);
+    write_png(studio_->render(list, camera_), recording_.frames[moment.index]);
   } else {
     const double seconds = plan_.time(plan_.steps);
     const double speed = seconds / movie_length(seconds);
     if (speed != 1) list.caption[0] += fmt::format(", shown at {:.3g}x speed", speed);
-    movie_->add(studio_->render(list, scene.camera));
+    movie_->add(studio_->render(list, camera_));
   }
 }
 
@@ -152,7 +153,7 @@ Image Recorder::develop_filmstrip() {
   for (std::size_t i = 0; i < filmstrip_.size(); ++i) {
     const long long step = even_step(plan_.steps, i, k_filmstrip_length);
     const std::string time = fmt::format("t = {} s", short_text(plan_.time(step)));
-    panels.push_back(studio_->render(filmstrip_[i], plan_.scene->camera, time));
+    panels.push_back(studio_->render(filmstrip_[i], camera_, time));
   }
   return side_by_side(panels);
 }

@@ -64,6 +64,7 @@ class Recorder {
   const Plan& plan_;
   std::span<const Lane> lanes_;
   const MetricLog& log_;
+  CameraPose camera_;
   Recording recording_;
   std::vector<Moment> moments_;
   std::size_t due_ = 0;  // the first moment that was not drawn yet

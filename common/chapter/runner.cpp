@@ -108,6 +108,11 @@ std::vector<Lane> start_lanes(const Plan& plan) {
   return lanes;
 }
 
+CameraPose usual_camera(const Plan& plan, std::span<const Lane> lanes) {
+  const CameraPose& camera = plan.scene->camera;
+  return lanes.empty() ? camera : lanes.front().simulation->camera(camera);
+}
+
 void advance_lanes(std::span<Lane> lanes, long long step) {
   for (Lane& lane : lanes) {
     if (!lane.failure) advance(lane, step);

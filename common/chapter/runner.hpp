@@ -42,6 +42,9 @@ struct Observer {
 /// throws passes through.
 std::vector<Lane> start_lanes(const Plan& plan);
 
+/// The look that the run asks for: its first method's, or the scene's without one.
+CameraPose usual_camera(const Plan& plan, std::span<const Lane> lanes);
+
 /// Brings every lane that has not failed to `step`. Throws Interrupted after Ctrl+C.
 void advance_lanes(std::span<Lane> lanes, long long step);
 

@@ -92,6 +92,9 @@ class Simulation {
   /// Adds what this method does to the picture, in the method's style.
   virtual void draw(DrawList& list) const = 0;
 
+  /// The look that shows everything, if this run needs another one than the scene's.
+  virtual CameraPose camera(const CameraPose& usual) const { return usual; }
+
   /// Adds what is the same for every method: the exact path, the ground, the props.
   virtual void draw_reference(DrawList&) const {}
 };

@@ -86,14 +86,14 @@ void run_window(const Chapter& chapter, const Options& options) {
   auto session = std::make_unique<Session>(chapter, choice_of(controls));
 
   Keys keys;
-  std::string scene;
-  CameraPose pose;
+  CameraPose usual = usual_camera(session->plan(), session->lanes());
+  CameraPose pose = usual;
   auto last_frame = std::chrono::steady_clock::now();
   for (int frame = 0; !window.should_close(); ++frame) {
     if (options.window_frames && frame == *options.window_frames) break;
-    const bool new_scene = std::exchange(scene, controls.scene) != controls.scene;
-    if (new_scene && session->plan().scene != nullptr) {
-      pose = session->plan().scene->camera;
+    if (!session->lanes().empty()) {
+      const CameraPose asked_for = usual_camera(session->plan(), session->lanes());
+      if (std::exchange(usual, asked_for) != asked_for) pose = asked_for;
     }
 
     window.begin_frame();

@@ -108,6 +108,8 @@ struct CameraPose {
   float yaw = 0;              ///< about +y; 0 looks along -z, with +x to the right
   float pitch = 0.25F;        ///< above the horizon
   float vertical_fov = 0.7F;  ///< full angle
+
+  bool operator==(const CameraPose&) const = default;
 };
 
 struct DrawList {
