@@ -1,5 +1,5 @@
 // Chapter 1: what each Euler method does, locked to closed forms. Compiled for each
-// precision; u is the unit round-off of the one at hand, and every tolerance is a count
+// precision; u (k_u) is the unit round-off of the one at hand, every tolerance a count
 // of roundings times u times the size of what is rounded.
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ using namespace timestep;
 
 namespace {
 
-constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
+constexpr double k_u = std::numeric_limits<Real>::epsilon() / 2;
 constexpr bool k_single = std::numeric_limits<Real>::digits == 24;
 
 Acceleration constant(Real a) {
@@ -56,7 +56,7 @@ TEST_CASE("under constant acceleration Euler is off by a t dt / 2, to either sid
       exact::constant_acceleration({{}, {20, 0, 0}}, {a, 0, 0}, t).x.x;
 
   // n roundings of v (at most 20 m/s), carried for t; n roundings of x (at most 21 m)
-  const double tolerance = u * (n + 4) * (20 * t + 21);
+  const double tolerance = k_u * (n + 4) * (20 * t + 21);
   const auto error = [&](Integrator step) {
     return run(step, one(0, 20), constant(Real(a)), dt, n).x[0] - exact_x;
   };
@@ -69,7 +69,7 @@ TEST_CASE("under constant acceleration every method's velocity is exact") {
   for (const NamedIntegrator& method : euler_methods()) {
     const State end =
         run(method.step, one(0, 20), constant(Real(-9.81)), 1.0 / 60, 120);
-    CHECK(end.v[0] == Approx(20 - 9.81 * 2).margin(u * 124 * 20));
+    CHECK(end.v[0] == Approx(20 - 9.81 * 2).margin(k_u * 124 * 20));
   }
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("explicit Euler multiplies a spring's energy by 1 + z² in every step"
 
     // Each step rounds x and v by up to 2 u of their size: 4 u of the energy; z is off
     // by u
-    CHECK(ratio / std::pow(1 + z * z, n) == Approx(1).margin(n * 8 * u));
+    CHECK(ratio / std::pow(1 + z * z, n) == Approx(1).margin(n * 8 * k_u));
   }
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("modified Euler's area factor is 1 + z²/2: half of explicit Euler's g
     const State x = run(modified_euler, one(1, 0), spring_of(1), z, 1);
     const State v = run(modified_euler, one(0, 1), spring_of(1), z, 1);
     const double determinant = double(x.x[0]) * v.v[0] - double(v.x[0]) * x.v[0];
-    CHECK(determinant == Approx(1 + z * z / 2).margin(8 * u * (1 + z * z)));
+    CHECK(determinant == Approx(1 + z * z / 2).margin(8 * k_u * (1 + z * z)));
   }
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("semi-implicit Euler keeps x² + v² - z x v on a spring") {
     }
 
     // A step rounds x and v by 2 u of their size, at most 1/(1 - z/2) in energy
-    CHECK(worst <= 1000 * 8 * u / (1 - z / 2));
+    CHECK(worst <= 1000 * 8 * k_u / (1 - z / 2));
   }
 }
 
@@ -148,9 +148,9 @@ TEST_CASE("explicit drag decays, swings or explodes as c dt / m passes 1 and 2")
   const auto end = [](double rate_dt) {
     return double(run(explicit_euler, one(0, 1), drag_of(1), rate_dt, 10).v[0]);
   };
-  CHECK(end(0.5) == Approx(std::pow(0.5, 10)).epsilon(20 * u));
-  CHECK(end(1.9) == Approx(std::pow(-0.9, 10)).epsilon(200 * u));
-  CHECK(end(2.5) == Approx(57.6650390625).epsilon(200 * u));
+  CHECK(end(0.5) == Approx(std::pow(0.5, 10)).epsilon(20 * k_u));
+  CHECK(end(1.9) == Approx(std::pow(-0.9, 10)).epsilon(200 * k_u));
+  CHECK(end(2.5) == Approx(57.6650390625).epsilon(200 * k_u));
 }
 
 TEST_CASE("damping does not depend on the step, and never overshoots") {
@@ -160,8 +160,8 @@ TEST_CASE("damping does not depend on the step, and never overshoots") {
     for (int i = 0; i < n; ++i) v *= damping_factor(Real(0.3), Real(1) / Real(n));
     return v;
   };
-  CHECK(left(60) == Approx(0.3).epsilon(60 * 4 * u));
-  CHECK(left(1) == Approx(0.3).epsilon(4 * u));
+  CHECK(left(60) == Approx(0.3).epsilon(60 * 4 * k_u));
+  CHECK(left(1) == Approx(0.3).epsilon(4 * k_u));
   CHECK(damping_factor(Real(1e-6), 1) > 0);
   CHECK(damping_factor(1, Real(0.25)) == 1);
 }

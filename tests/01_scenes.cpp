@@ -14,7 +14,7 @@ using namespace timestep;
 
 namespace {
 
-constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
+constexpr double k_u = std::numeric_limits<Real>::epsilon() / 2;
 
 Scene scene_named(const std::string& name) {
   for (const Scene& scene : chapter_01::scenes())
@@ -136,7 +136,7 @@ TEST_CASE(
 
   // The oldest droplet has lived 1.6 s but for an interval; 96 steps round x and v, at
   // most 4 m and 9 m/s, carried for as long
-  const double rounding = 96 * u * (4 + 9 * 1.6) * 2;
+  const double rounding = 96 * k_u * (4 + 9 * 1.6) * 2;
   CHECK(largest_error("modified_euler") <= rounding);
   for (const char* method : {"explicit_euler", "semi_implicit_euler"})
     CHECK(largest_error(method) == Approx(9.81 * 1.6 / 60 / 2).epsilon(0.02));

@@ -346,7 +346,7 @@ TEST_CASE("faults of files are one line") {
 TEST_CASE("contexts come and go, several times and together") {
   for (int i = 0; i < 2; ++i) {
     Studio studio({64, 48});
-    REQUIRE(studio.draw({}).rgba.size() == std::size_t{4 * 64 * 48});
+    REQUIRE(studio.draw({}).rgba.size() == std::size_t{4} * 64 * 48);
   }
   Studio one({32, 32});
   {

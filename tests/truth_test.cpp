@@ -25,17 +25,17 @@ void check(Precision precision) {
 }  // namespace
 
 TEST_CASE("truth files pass in double") {
-  check(Precision::double_);
+  check(Precision::double_bits);
 }
 
 TEST_CASE("truth files pass in single with derived tolerances") {
-  check(Precision::single);
+  check(Precision::single_bits);
 }
 
 // A kind that is covered must not fall back to "not covered" unnoticed.
 TEST_CASE("the kinds of chapter 1 are covered") {
   const Report report =
-      run_cases({k_folder / "truth_public.json"}, "", Precision::double_);
+      run_cases({k_folder / "truth_public.json"}, "", Precision::double_bits);
   std::set<std::string> covered;
   for (const auto& [kind, tally] : report.kinds)
     if (tally.passed > 0) covered.insert(kind);

@@ -54,9 +54,9 @@ int main(int argc, char** argv) {
                "truth");
   std::vector<std::filesystem::path> files;
   std::string kind, out;
-  Precision precision = Precision::double_;
-  const std::map<std::string, Precision> names{{"single", Precision::single},
-                                               {"double", Precision::double_}};
+  Precision precision = Precision::double_bits;
+  const std::map<std::string, Precision> names{{"single", Precision::single_bits},
+                                               {"double", Precision::double_bits}};
   app.add_option("FILE", files, "truth files")->required();
   app.add_option("--kind", kind, "only this kind of case");
   app.add_option("--precision", precision, "single or double (the default)")

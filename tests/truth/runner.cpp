@@ -29,7 +29,7 @@ Json load(const std::filesystem::path& file) {
 std::vector<Kind> find_kinds(const std::string& name, Precision precision) {
   std::vector<std::span<const Kind>> libraries{single_precision::truth_kinds_01(),
                                                double_precision::truth_kinds_01()};
-  if (precision == Precision::double_) std::ranges::reverse(libraries);
+  if (precision == Precision::double_bits) std::ranges::reverse(libraries);
 
   std::vector<Kind> found;
   for (const std::span<const Kind> library : libraries)
@@ -73,7 +73,7 @@ Outcome compare(const Json& test, const Computed& computed, Precision precision)
     }
     const Json& got = computed.fields.at(name);
     const bool derived =
-        precision == Precision::single && computed.single_tolerance.contains(name);
+        precision == Precision::single_bits && computed.single_tolerance.contains(name);
     const double extra = derived ? computed.single_tolerance.at(name).get<double>() : 0;
     if (!close(got, expected, rel, abs + extra) && outcome.failure.empty())
       outcome.failure = fmt::format("{}: computed {}, expected {}, tolerance {:.3g}",

@@ -10,7 +10,7 @@
 
 namespace timestep::truth {
 
-enum class Precision { single, double_ };
+enum class Precision { single_bits, double_bits };
 
 /// One case that the engine covers.
 struct Outcome {
