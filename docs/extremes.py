@@ -1,10 +1,10 @@
 """Runs a chapter's extremes and prints the table of outcomes as Markdown.
 
-Each row of chapters/NN-name/extremes.json is one run in both precisions: its `args`, the
-`metric` that judges it, and two limits: up to `accurate` the run counts as accurate, up to
-`bounded` as bounded (wrong, but within sight), beyond as exploded. A run whose numbers cease
-to be finite must say so itself: "overflows". `expect` has the verdicts that are published; any
-other verdict is one line on standard error and exit code 1.
+Each row of chapters/NN-name/extremes.json is one run in both precisions: its `args`,
+the `metric` that judges it, and two limits: up to `accurate` the run counts as accurate,
+up to `bounded` as bounded (wrong, but within sight), beyond as exploded. A run whose
+numbers cease to be finite must say so itself: "overflows". `expect` has the verdicts
+that are published; any other verdict is one line on standard error and exit code 1.
 """
 from __future__ import annotations
 
@@ -54,7 +54,8 @@ def table(rows: list[dict], outcomes: list[list[Outcome]]) -> str:
     lines = ["| extreme | judged by | double | single | what to do |",
              "|---|---|---|---|---|"]
     for row, pair in zip(rows, outcomes):
-        cells = [row["what"], row["metric"].replace("_", " "), *map(cell, pair), row["remedy"]]
+        metric = row["metric"].replace("_", " ")
+        cells = [row["what"], metric, *map(cell, pair), row["remedy"]]
         lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines)
 

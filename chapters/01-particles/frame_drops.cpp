@@ -135,6 +135,7 @@ std::vector<Metric> FrameDrops::metrics() const {
   const double x = mass_on_spring_.x[0];
   return {
       {"energy_ratio", "", energy() / (stiffness_ / 2)},
+      {"energy_error", "", energy() / (stiffness_ / 2) - 1},
       {"position_error", "m", std::abs(x - exact_at(time_).x)},
       {"position_error_max", "m", largest_error_},
       {"simulated_time", "s", time_},

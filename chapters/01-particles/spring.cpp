@@ -100,6 +100,7 @@ std::vector<Metric> Spring::metrics() const {
   const exact::Coordinate e = exact_at(time());
   return {
       {"energy_ratio", "", energy(now()) / energy(start_)},
+      {"energy_error", "", (energy(now()) - energy(e)) / energy(start_)},
       {"energy", "J", energy(now())},
       {"energy_exact", "J", energy(e)},
       {"position_error", "m", std::abs(now().x - e.x)},
