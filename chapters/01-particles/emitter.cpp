@@ -73,7 +73,7 @@ std::vector<exact::Motion> emit_from_mesh(std::size_t n, double speed,
     area += glm::length(glm::cross(b - a, c - a)) / 2;
     area_until.push_back(area);
   }
-  if (!(area > 0)) throw InputError("the mesh has no area to emit from");
+  if (!(area > 0)) throw InputError("--mesh: its triangles have no area to emit from");
 
   Random random(k_seed);
   std::vector<exact::Motion> starts(n);

@@ -32,6 +32,7 @@ class Fountain : public Simulation {
   }
   void draw(DrawList& list) const override;
   void draw_reference(DrawList& list) const override;
+  CameraPose camera(const CameraPose& usual) const override;
 
  private:
   double time() const { return static_cast<double>(steps_) * setup_.dt; }
@@ -64,7 +65,7 @@ Fountain::Fountain(const Setup& setup)
   const double speed = setup.parameters.at("speed");
   if (!setup.mesh.empty()) {
     mesh_ = std::make_shared<MeshData>(stand_on_ground(load_mesh(setup.mesh)));
-    starts_ = emit_from_mesh(n, speed, *mesh_);
+    starts_ = emit_from_mesh(n, speed / 5, *mesh_);
   } else {
     starts_ = emit_from_jets(n, speed, setup.parameters.at("lean"));
   }
@@ -131,7 +132,8 @@ void Fountain::draw(DrawList& list) const {
   for (std::size_t i = 0; i < starts_.size(); ++i) {
     const auto speed = static_cast<float>(glm::length(at(droplets_.v, i)));
     const Color color = glm::mix(k_foam, fast, std::min(speed / fastest, 1.0F));
-    list.balls.push_back({picture(wide(at(droplets_.x, i))), 0.012F, color});
+    const glm::vec3 x = picture(wide(at(droplets_.x, i)));
+    if (x.y > 0) list.balls.push_back({x, 0.012F, color});
   }
 }
 
@@ -140,8 +142,17 @@ void Fountain::draw_reference(DrawList& list) const {
     list.meshes.push_back({.mesh = mesh_, .color = k_body});
     return;
   }
+  // The basin that the jets stand in
   const glm::mat4 basin = glm::scale(glm::mat4(1), glm::vec3(0.42F, 0.05F, 0.42F));
   list.shapes.push_back({ShapeKind::cylinder, basin, k_body});
+}
+
+CameraPose Fountain::camera(const CameraPose& usual) const {
+  if (!mesh_) return usual;
+  CameraPose closer = usual;
+  closer.target.y = 0.8F;
+  closer.distance *= 0.7F;
+  return closer;
 }
 
 }  // namespace
@@ -153,7 +164,8 @@ Scene fountain_scene() {
       .methods = euler_choices(),
       .default_methods = {"semi_implicit_euler"},
       .parameters = {{"particles", "", "in the air", 100'000, 1, 1'000'000, true},
-                     {"speed", "m/s", "at the start", 9, 0, 1e3},
+                     {"speed", "m/s", "at the start; a fifth of it from a mesh", 9, 0,
+                      1e3},
                      {"lean", "rad", "of the outer jets", 0.3, 0, 1.5},
                      {"gravity", "m/s²", "downwards", 9.81, 0, 1e3},
                      {"drag_rate", "1/s", "c/m in F = -c v", 0.4, 0, 1e6},

@@ -56,7 +56,7 @@ class FrameDrops : public Simulation {
   double frame_start_ = 0, frame_time_ = 0;  // of the frame that is being shown [s]
   double time_ = 0;                          // that the simulation has reached [s]
   double largest_error_ = 0;
-  std::vector<glm::vec3> shown_;  // what the player saw: a point for each frame
+  Trail shown_;  // what the player saw: a point for each frame
 };
 
 FrameDrops::FrameDrops(const Setup& setup)
@@ -90,7 +90,7 @@ void FrameDrops::simulate_frame(double frame_time) {
     const int steps = fixed_.advance(frame_time);
     for (int i = 0; i < steps; ++i) integrate(setup_.dt);
   }
-  shown_.push_back(graph_point(frame_start_ + frame_time, mass_on_spring_.x[0]));
+  shown_.add(graph_point(frame_start_ + frame_time, mass_on_spring_.x[0]));
 }
 
 void FrameDrops::integrate(double dt) {
@@ -154,10 +154,11 @@ glm::vec3 FrameDrops::graph_point(double t, double x) const {
 }
 
 void FrameDrops::draw(DrawList& list) const {
-  list.lines.push_back({.points = shown_, .color = setup_.style.color, .width = 2.5F});
-  for (const glm::vec3& point : shown_)
+  const std::vector<glm::vec3> shown = shown_.points();
+  list.lines.push_back({.points = shown, .color = setup_.style.color, .width = 2.5F});
+  for (const glm::vec3& point : shown)
     list.balls.push_back({point, 0.05F, setup_.style.color});
-  if (!shown_.empty()) list.balls.push_back({shown_.back(), 0.14F, setup_.style.color});
+  if (!shown.empty()) list.balls.push_back({shown.back(), 0.14F, setup_.style.color});
 }
 
 void FrameDrops::draw_reference(DrawList& list) const {

@@ -162,7 +162,7 @@ void Spring::draw_reference(DrawList& list) const {
     path.push_back(phase_point(exact_at(setup_.duration * i / k_pieces)));
   list.lines.push_back(
       {.points = path, .color = k_ink, .width = 2, .dash = Dash::dashed});
-  list.labels.push_back({.position = {3.4F, 3.5F, 0},
+  list.labels.push_back({.position = {-2.2F, 3.9F, -1.2F},
                          .text = "velocity / ω over position",
                          .color = k_muted});
   list.legend.push_back({reference_style(), "exact"});

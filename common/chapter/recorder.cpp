@@ -9,6 +9,7 @@
 
 #include "common/chapter/filmstrip.hpp"
 #include "common/chapter/interpolate.hpp"
+#include "common/chapter/interrupt.hpp"
 #include "common/chapter/numbers.hpp"
 
 namespace timestep {
@@ -61,9 +62,9 @@ void simplify_for_filmstrip(DrawList& list, std::size_t index) {
   list.charts.clear();
 }
 
-/// Two thirds as high as a frame, and no wider than 4:3.
+/// Two thirds as high as a frame, no wider than 4:3, and so small that a PNG holds all.
 glm::ivec2 panel_size(glm::ivec2 frame) {
-  const int height = std::max(48, frame.y * 2 / 3);
+  const int height = std::clamp(frame.y * 2 / 3, 48, 3000);
   return {std::min(frame.x * height / frame.y, height * 4 / 3), height};
 }
 
@@ -127,11 +128,13 @@ void Recorder::see(long long step) {
 }
 
 void Recorder::shoot(const Moment& moment, DrawList list) {
+  throw_if_interrupted();  // a large picture takes longer than many steps
   const double time =
       plan_.time(moment.step) + static_cast<double>(moment.alpha) * plan_.dt;
   const Scene& scene = *plan_.scene;
   add_words(list, plan_, lanes_, time);
   add_chart(list, log_, scene.chart_metric, scene.chart_logarithmic);
+  list.chart_side = Side::left;  // where a flight begins, not where it lands
 
   if (moment.use == Moment::Use::filmstrip) {
     simplify_for_filmstrip(list, moment.index);

@@ -167,6 +167,7 @@ class ChartDrawing {
 void add_charts(const DrawList& list, Sheet& sheet, const Frame& frame) {
   const glm::vec2 step{0, (k_panel.y + 12) * frame.scale};
   glm::vec2 corner = frame.size - (k_panel + k_margin) * frame.scale;
+  if (list.chart_side == Side::left) corner.x = k_margin * frame.scale;
   for (auto chart = list.charts.rbegin(); chart != list.charts.rend(); ++chart) {
     ChartDrawing(*chart, corner, sheet, frame).add(list.legend);
     corner -= step;

@@ -94,7 +94,9 @@ struct ChartSeries {
   std::vector<glm::dvec2> points;
 };
 
-/// A small graph in the corner of the picture.
+enum class Side { left, right };
+
+/// A small graph in a lower corner of the picture.
 struct Chart {
   std::string title, x_label, y_label;
   bool logarithmic_y = false;
@@ -124,6 +126,7 @@ struct DrawList {
   std::vector<Label> labels;
   std::vector<LegendEntry> legend;
   std::vector<Chart> charts;
+  Side chart_side = Side::right;              ///< of the picture's lower edge
   std::optional<float> ground_height = 0.0F;  ///< the grid's plane; none if empty
 };
 
