@@ -34,7 +34,8 @@ def measure(program: Path, row: dict, precision: str) -> Outcome:
     if done.returncode == 2:
         return Outcome("refused", "")
     if done.returncode != 0:
-        return Outcome("crashed", done.stderr.strip().splitlines()[-1])
+        said = done.stderr.strip().splitlines() or [f"exit code {done.returncode}"]
+        return Outcome("crashed", said[-1])
 
     results = json.loads(done.stdout)
     if "failed" in results:
@@ -73,9 +74,13 @@ def main() -> int:
     parser.add_argument("--bin", type=Path, default=ROOT / "build/release/bin")
     options = parser.parse_args()
     file = ROOT / "chapters" / options.chapter / "extremes.json"
+    program = options.bin / options.chapter
+    for needed in (file, program):
+        if not needed.is_file():
+            print(f"extremes: there is no {needed}", file=sys.stderr)
+            return 2
     rows = json.loads(file.read_text(encoding="utf-8"))
 
-    program = options.bin / options.chapter
     jobs = [(row, precision) for row in rows for precision in PRECISIONS]
     with ThreadPoolExecutor(2) as pool:
         flat = list(pool.map(lambda job: measure(program, *job), jobs))

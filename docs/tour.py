@@ -165,6 +165,8 @@ def main() -> int:
 
     out = options.out.resolve()
     jobs = find_jobs(options.bin.resolve(), out)
+    if not jobs:
+        raise OSError(f"{options.bin} has no chapter's executable")
     # A movie needs ffmpeg: once it is installed, scenes are rendered again
     assets = digest_of(sorted(f for f in (ROOT / "assets").rglob("*") if f.is_file()))
     assets += " ffmpeg" if shutil.which("ffmpeg") else " no-ffmpeg"
@@ -183,4 +185,8 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except OSError as problem:
+        print(f"tour: {problem}", file=sys.stderr)
+        sys.exit(2)

@@ -331,8 +331,15 @@ class Extremes(CommandLine):
         self.bad(*run, "mesh", "--mesh", "none.obj", says="none.obj")
         self.bad(*run, "fall", "--mesh", "t.obj", says="takes no mesh")
         self.bad(*run, "mesh", "--mesh", "", says="--mesh")
+        if "without assimp" in self.run_it(*run, "mesh", "--mesh", "t.obj").stderr:
+            self.skipTest("this build has no assimp")
         done = self.good(*run, "mesh", "--mesh", "t.obj")
         self.assertEqual(json.loads(done.stdout)["mesh"], "t.obj")
+
+        # Over this one assimp crashes
+        (self.folder / "deep.gltf").write_text("[" * 1000000)
+        self.bad(*run, "mesh", "--mesh", "deep.gltf", says="deep.gltf: is broken")
+        self.bad(*run, "mesh", "--mesh", "/dev/zero", says="is not a file")
 
     def test_ctrl_c_leaves_nothing(self):
         for number in (signal.SIGINT, signal.SIGTERM):
@@ -347,6 +354,19 @@ class Extremes(CommandLine):
             self.assertEqual(running.returncode, 130)
             self.assertEqual(errors, f"{self.name}: interrupted\n")
             self.assertEqual(self.left_behind(), [])
+
+    def test_a_signal_that_the_caller_ignores_stays_ignored(self):
+        running = subprocess.Popen(
+            ["sh", "-c", 'trap "" INT; exec "$0" "$@"', EXECUTABLE, "--headless",
+             "--dt", "1e-6", "--duration", "500", "--out", "o"], cwd=self.folder,
+            stderr=subprocess.DEVNULL, env=environment())
+        while not list(self.folder.glob("o/.partial*results.json")):
+            time.sleep(0.05)
+        running.send_signal(signal.SIGINT)
+        with self.assertRaises(subprocess.TimeoutExpired):
+            running.wait(0.3)
+        running.terminate()
+        self.assertEqual(running.wait(30), 130)
 
 
 class WrongCalls(CommandLine):
@@ -380,6 +400,14 @@ class WrongCalls(CommandLine):
         self.bad("--headless", "--dt", "1e-12", "--duration", "1", says="1e+12 steps")
         self.bad("--headless", "--dt", "1e-300", "--duration", "1e300", says="--dt")
 
+    def test_any_step_runs_or_is_refused(self):
+        for scene in self.listing["scenes"]:
+            for dt, duration in (("1e12", "1e12"), ("1e300", "9e300"),
+                                 ("1e-300", "3e-300"), ("5e-324", "5e-324")):
+                done = self.run_it("--headless", "--results", "-", "--scene",
+                                   scene["name"], "--dt", dt, "--duration", duration)
+                self.assertIn(done.returncode, (0, 2), f"{scene['name']} {dt}")
+
     def test_parameters(self):
         for p in self.scene["parameters"]:
             beyond = p["maximum"] * 2 + 1
@@ -391,6 +419,12 @@ class WrongCalls(CommandLine):
                          says="whole number")
         self.bad("--headless", "--set", "novalue", says="NAME=VALUE")
         self.bad("--headless", "--set", "=1", says="NAME=VALUE")
+        name = self.scene["parameters"][0]["name"]
+        self.bad("--headless", "--set", f"{name}=1", "--set", f"{name}=2",
+                 says=[f"--set {name}", "more than once"])
+
+    def test_one_line_whatever_it_quotes(self):
+        self.bad("--dt", "1\n2\t\x1b[31m3", says="--dt 1?2??[31m3: must be")
 
     def test_numbers_of_the_output(self):
         for value in ("0", "-1", "x", "1.5", "1000000", ""):
@@ -429,12 +463,38 @@ class WrongCalls(CommandLine):
             self.bad(*mode, "--results", "", says="--results")
         self.assertEqual((self.folder / "file").read_text(), "mine")
 
+    def test_places_that_are_no_files_of_their_own(self):
+        (self.folder / "loop").symlink_to("loop")
+        (self.folder / "gone").symlink_to("nowhere")
+        run = ["--headless", *self.short(), "--out", "o", "--results"]
+        self.bad(*run, "loop", says="--results loop: is a link to nowhere")
+        self.bad(*run, "gone", says="--results gone: is a link to nowhere")
+        self.bad(*run, "new/", says="--results new/: names no file")
+        for table in ("o/trajectory.csv", "o/../o/history.csv"):
+            self.bad(*run, table, says=f"--results {table}: is another file")
+
+    def test_files_that_may_not_grow(self):
+        self.bad("--headless", "--dt", "1e-3", "--out", "o", says="to the end",
+                 prefix=["sh", "-c", 'ulimit -f 1; exec "$0" "$@"'])
+
     def test_closed_standard_output(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
             done = subprocess.run([EXECUTABLE, "--list"], stdout=full, check=False,
                                   stderr=subprocess.PIPE, text=True, env=environment())
         self.assertEqual(done.returncode, 2)
         self.assertIn("standard output", done.stderr)
+
+    def test_closed_standard_error(self):
+        for away in ("2>&-", "2>/dev/full", "<&- >&- 2>&-"):
+            shell = ["sh", "-c", f'exec "$0" "$@" {away}']
+            self.assertEqual(self.run_it("--dt", "0", prefix=shell).returncode, 2)
+            self.assertEqual(self.left_behind(), [])
+
+        # What nobody can read must not end in a file that took the place
+        self.good(*SMALL, *self.short(), "--out", "o",
+                  prefix=["sh", "-c", 'exec "$0" "$@" 2>&-'])
+        for table in ("trajectory", "history"):
+            self.assertRegex((self.folder / f"o/{table}.csv").read_text(), "^time,")
 
     def test_no_display(self):
         self.bad("--window", says="display")
@@ -443,6 +503,9 @@ class WrongCalls(CommandLine):
     def test_no_off_screen_opengl(self):
         self.bad("--offscreen", *SMALL, __EGL_VENDOR_LIBRARY_FILENAMES="/nothing.json",
                  EGL_PLATFORM="none", says="OpenGL")
+        (self.folder / "libEGL.so.1").write_text("no library")
+        self.bad("--offscreen", *SMALL, LD_LIBRARY_PATH=str(self.folder),
+                 says="libEGL.so.1 cannot be loaded")
 
 
 class Outputs(CommandLine):
@@ -533,15 +596,17 @@ class Pictures(CommandLine):
     def test_with_a_broken_ffmpeg(self):
         fake = self.folder / "bin/ffmpeg"
         fake.parent.mkdir()
-        fake.write_text("#!/bin/sh\nexit 3\n")
-        fake.chmod(0o755)
-        done = self.good("--offscreen", *SIZE, "--out", "o", *self.short(),
-                         PATH=f"{fake.parent}:{os.environ['PATH']}")
-        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
-        self.assertIn("ffmpeg ended with 3", done.stderr)
-        self.assertEqual(self.left_behind()[2:], [
-            "o", "o/filmstrip.png", "o/history.csv", "o/results.json",
-            "o/trajectory.csv"])
+        for script, says in (("exit 3", "ffmpeg ended with 3"),
+                             ("cat >/dev/null", "ffmpeg wrote nothing")):
+            fake.write_text(f"#!/bin/sh\n{script}\n")
+            fake.chmod(0o755)
+            done = self.good("--offscreen", *SIZE, "--out", "o", *self.short(),
+                             PATH=f"{fake.parent}:{os.environ['PATH']}")
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertIn(says, done.stderr)
+            self.assertEqual(self.left_behind()[2:], [
+                "o", "o/filmstrip.png", "o/history.csv", "o/results.json",
+                "o/trajectory.csv"])
 
     def test_any_shape_of_picture_and_step(self):
         for size in ("64x64", "300x70", "70x300"):

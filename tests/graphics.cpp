@@ -2,12 +2,17 @@
 // faults.
 
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 #include <limits>
 #include <set>
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include "common/graphics/apart.hpp"
 #include "common/graphics/axis.hpp"
 #include "common/graphics/camera.hpp"
 #include "common/graphics/font.hpp"
@@ -220,6 +225,31 @@ TEST_CASE("images that cannot be read or written are one line") {
                            write_png({1, 1, {0, 0, 0, 0}}, folder.path());
                          }),
                          folder.path().string(), "cannot be written"));
+}
+
+TEST_CASE("an image that the disk cannot hold is an error and leaves nothing") {
+  const ScratchFolder folder;
+  rlimit usual{};
+  getrlimit(RLIMIT_FSIZE, &usual);
+  const rlimit few_bytes{.rlim_cur = 20, .rlim_max = usual.rlim_max};
+  const auto on_full = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &few_bytes);
+  CHECK_THROWS_AS(write_png({1, 1, {0, 0, 0, 0}}, folder.path() / "a.png"), InputError);
+  setrlimit(RLIMIT_FSIZE, &usual);
+  std::signal(SIGXFSZ, on_full);
+  CHECK(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_CASE("work done apart returns its bytes, and nothing if it fails") {
+  const std::string bytes(1000000, '\0');
+  CHECK(compute_apart([&] { return bytes; }, 10) == bytes);
+  CHECK(compute_apart([]() -> std::string { std::abort(); }, 10) == std::nullopt);
+  CHECK(compute_apart([]() -> std::string { throw InputError("no"); }, 10)
+        == std::nullopt);
+  const auto endless = []() -> std::string {
+    for (;;) pause();
+  };
+  CHECK(compute_apart(endless, 1) == std::nullopt);
 }
 
 TEST_CASE("meshes are read from OBJ and glTF") {

@@ -224,6 +224,15 @@ TEST_CASE("a plan has the steps that fit") {
   CHECK_THROWS_AS(make_plan(chapter, {.settings = {{"n", "1.5"}}}), InputError);
 }
 
+TEST_CASE("samples are 60 a second, and at least one a run") {
+  CHECK(sample_stride(1.0 / 60) == 1);
+  CHECK(sample_stride(1.0) == 1);
+  CHECK(sample_stride(1e300) == 1);
+  CHECK(sample_stride(1e-3) == 17);
+  CHECK(sample_stride(1e-300) == 1000000000);
+  CHECK(sample_stride(5e-324) == 1000000000);
+}
+
 TEST_CASE("a lane stops at the first step that is not finite") {
   for (const int good : {0, 1, 15, 16, 17, 18, 50, 98}) {
     const Chapter chapter = countdown_chapter(good);

@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-TOOLS = ("bash", "cat", "comm", "dirname", "env", "mkdir", "sed", "sort")
+TOOLS = ("bash", "cat", "comm", "dirname", "env", "mkdir", "readlink", "sed", "sort")
 # Each answers which of its arguments are installed: all but those in $LACKING
 MANAGERS = {
     "apt": ("dpkg-query", 'shift 3; for p; do case " $LACKING " in *" $p "*) ;; '
@@ -52,10 +52,12 @@ class SetupTest(unittest.TestCase):
             self.fake("dnf", "")
         self.fake(*MANAGERS[manager])
 
-    def timestep(self, *words: str, lacking: str = "", **more: str) -> tuple[int, str]:
+    def timestep(self, *words: str, lacking: str = "", script: Path | None = None,
+                 **more: str) -> tuple[int, str]:
         environment = {"PATH": str(self.bin), "LACKING": lacking, "LANG": "C", **more}
-        run = subprocess.run([self.root / "timestep", *words], cwd="/", env=environment,
-                             capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        run = subprocess.run([script or self.root / "timestep", *words], cwd="/",
+                             env=environment, capture_output=True, text=True,
+                             stdin=subprocess.DEVNULL)
         return run.returncode, run.stdout + run.stderr
 
     def test_help_lists_the_commands_from_any_folder(self) -> None:
@@ -69,6 +71,29 @@ class SetupTest(unittest.TestCase):
         code, said = self.timestep("tuor")
         self.assertEqual(code, 2)
         self.assertRegex(said, r"^timestep: no command 'tuor'; [^\n]*'tour'[^\n]*\n$")
+
+    def test_words_that_a_command_does_not_take_are_refused(self) -> None:
+        for command in ("help", "setup", "format"):
+            code, said = self.timestep(command, "more")
+            self.assertEqual(code, 2)
+            self.assertRegex(said, rf"^timestep: {command} [^\n]*'more'\n$")
+
+    def test_it_works_through_a_link(self) -> None:
+        self.system("apt")
+        link = self.root / "elsewhere" / "link"
+        link.parent.mkdir()
+        link.symlink_to(self.root / "timestep")
+        code, said = self.timestep("setup", lacking="libglm-dev", script=link)
+        self.assertEqual(code, 2)
+        self.assertIn("sudo apt-get install libglm-dev", said)
+
+    def test_a_place_that_cannot_be_written_is_one_line(self) -> None:
+        self.system("apt")
+        (self.root / "build").write_text("not a folder")
+        for command in ("tour", "test"):
+            code, said = self.timestep(command)
+            self.assertEqual(code, 2)
+            self.assertRegex(said, r"^timestep: cannot write into [^\n]*/build\n$")
 
     def test_nothing_is_said_where_nothing_is_missing(self) -> None:
         for manager in ("apt", "dnf", "pacman"):

@@ -62,13 +62,15 @@ Files stage_files(Outputs& outputs, const Plan& plan, const Options& options,
 }
 
 /// Writes results.json or, without a file, prints it.
-void write_results(const Files& files, const std::string& json) {
+void write_results(const Files& files, const Options& options,
+                   const std::string& json) {
   if (files.results.empty()) return print_out(json);
   std::ofstream file(files.results);
   file << json << std::flush;
   if (!file) {
-    throw InputError(fmt::format("--results {}: cannot be written to the end",
-                                 files.results.string()));
+    throw InputError(fmt::format(
+        "{}: cannot be written to the end",
+        options.results ? "--results " + *options.results : "--out: results.json"));
   }
 }
 
@@ -146,7 +148,7 @@ void run_to_files(const Plan& plan, const Options& options, bool pictures,
   if (no_ffmpeg) trouble = "there is no ffmpeg in PATH";
   if (trouble) print_note(plan.chapter->name, "movie.mp4 is skipped: " + *trouble);
 
-  write_results(files, results_json(plan, lanes));
+  write_results(files, options, results_json(plan, lanes));
   if (options.frames) remove_numbered_frames(folder_of(plan, options) / "frames");
   outputs.publish();
   report(plan, lanes, options);

@@ -16,8 +16,11 @@ extern "C" void note_signal(int signal) {
 }  // namespace
 
 void note_interrupts() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, note_signal);
-  std::signal(SIGPIPE, SIG_IGN);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const bool ignored = std::signal(signal, note_signal) == SIG_IGN;  // as by nohup
+    if (ignored) std::signal(signal, SIG_IGN);
+  }
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
 void throw_if_interrupted() {

@@ -13,7 +13,8 @@ struct Interrupted : std::exception {
 };
 
 /// From now on the first SIGINT, SIGTERM or SIGHUP is only noted; a second one ends the
-/// program as usual. Writing into a closed pipe becomes an error instead of a signal.
+/// program as usual; one that the caller wants ignored stays so. Writing into a closed
+/// pipe, or more than a file may hold, becomes an error instead of a signal.
 void note_interrupts();
 
 /// Throws Interrupted if such a signal has come.

@@ -94,7 +94,8 @@ std::optional<std::filesystem::path> find_program(const std::string& name) {
 }
 
 Movie::Movie(const std::filesystem::path& ffmpeg, const std::filesystem::path& file,
-             glm::ivec2 size, int fps) {
+             glm::ivec2 size, int fps)
+    : file_(file) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) return;
   for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
@@ -120,9 +121,13 @@ std::optional<std::string> Movie::finish() {
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
   process_ = -1;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && !broken_) return std::nullopt;
-  return WIFEXITED(status) ? fmt::format("ffmpeg ended with {}", WEXITSTATUS(status))
-                           : "ffmpeg was ended by a signal";
+  if (!WIFEXITED(status)) return "ffmpeg was ended by a signal";
+  if (WEXITSTATUS(status) != 0 || broken_) {
+    return fmt::format("ffmpeg ended with {}", WEXITSTATUS(status));
+  }
+  std::error_code unknown;
+  const bool empty = std::filesystem::file_size(file_, unknown) == 0;
+  return empty ? std::optional<std::string>("ffmpeg wrote nothing") : std::nullopt;
 }
 
 }  // namespace timestep

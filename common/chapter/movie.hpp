@@ -36,6 +36,7 @@ class Movie {
   std::optional<std::string> finish();
 
  private:
+  std::filesystem::path file_;
   pid_t process_ = -1;
   int pipe_ = -1;
   bool broken_ = false;

@@ -50,16 +50,27 @@ void Outputs::make_folder(const std::string& option, const fs::path& folder) {
   if (made) new_folders_.push_back(folder);
 }
 
+bool Outputs::is_staged(const fs::path& temporary) const {
+  std::error_code ignored;
+  return fs::exists(temporary, ignored)  // if not, none needs to be compared
+         && std::ranges::any_of(staged_, [&](const auto& pair) {
+              return fs::equivalent(pair.first, temporary, ignored);
+            });
+}
+
 fs::path Outputs::stage(const std::string& option, const fs::path& target) {
   const fs::path place = behind_links(target);
   std::error_code ignored;
   if (fs::is_directory(place, ignored)) refuse(option, place, "is a folder");
+  if (!place.has_filename()) refuse(option, place, "names no file");
   if (fs::exists(place, ignored) && !fs::is_regular_file(place, ignored)) return place;
+  if (fs::is_symlink(place, ignored)) refuse(option, place, "is a link to nowhere");
 
   make_folder(option, place.parent_path());
   const fs::path temporary =
       place.parent_path()
       / fmt::format(".partial-{}-{}", getpid(), place.filename().string());
+  if (is_staged(temporary)) refuse(option, place, "is another file of this run");
   errno = 0;
   if (!std::ofstream(temporary, std::ios::binary)) {
     refuse(option, place, fmt::format("cannot be written: {}", std::strerror(errno)));

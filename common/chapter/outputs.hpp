@@ -21,7 +21,8 @@ class Outputs {
   /// Where to write what shall appear as `target`: an empty file that exists already,
   /// so that a place that cannot be written is found before the work. Makes missing
   /// folders. A device such as /dev/null is its own temporary. Throws InputError, in a
-  /// line that begins with `option`, if the place is a folder or cannot be written.
+  /// line that begins with `option`, if the place is a folder, a link to nowhere or
+  /// staged already, or cannot be written.
   std::filesystem::path stage(const std::string& option,
                               const std::filesystem::path& target);
 
@@ -33,6 +34,7 @@ class Outputs {
 
  private:
   void make_folder(const std::string& option, const std::filesystem::path& folder);
+  bool is_staged(const std::filesystem::path& temporary) const;
 
   std::vector<std::pair<std::filesystem::path, std::filesystem::path>> staged_;
   std::vector<std::filesystem::path> new_folders_;

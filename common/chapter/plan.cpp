@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -119,10 +120,14 @@ std::map<std::string, double> choose_parameters(const Scene& scene,
     const Preset& preset = find_named(scene.presets, *choice.preset, kind);
     for (const auto& [parameter, value] : preset.values) values[parameter] = value;
   }
+  std::set<std::string> already;
   for (const auto& [wanted, text] : choice.settings) {
     const std::string kind = "parameter of scene " + scene.name;
     const Parameter& parameter = find_named(scene.parameters, wanted, kind);
     values[parameter.name] = parse_setting(parameter, text);
+    if (!already.insert(wanted).second) {
+      throw InputError(fmt::format("--set {}: is given more than once", wanted));
+    }
   }
   return values;
 }

@@ -1,3 +1,5 @@
+#include <new>
+
 #include "common/chapter/console.hpp"
 #include "common/chapter/file_run.hpp"
 #include "common/chapter/interrupt.hpp"
@@ -37,6 +39,7 @@ int run_chapter(const Chapter& chapter, int argc, const char* const* argv) {
     print_note(chapter.name, what);
     return code;
   };
+  keep_standard_streams();
   try {
     run(chapter, argc, argv);
     return 0;
@@ -44,6 +47,8 @@ int run_chapter(const Chapter& chapter, int argc, const char* const* argv) {
     return say(error.what(), k_wrong_input);
   } catch (const Interrupted& error) {
     return say(error.what(), k_interrupted);
+  } catch (const std::bad_alloc&) {
+    return say("there is not enough memory", k_failed);
   } catch (const std::exception& error) {
     return say(error.what(), k_failed);
   }

@@ -127,7 +127,8 @@ void sample_lanes(const Plan& plan, std::span<Lane> lanes, long long last_good) 
 }
 
 long long sample_stride(double dt) {
-  return std::max(1LL, static_cast<long long>(std::ceil(1 / (60 * dt) - 1e-9)));
+  const double steps = std::ceil(1 / (60 * dt) - 1e-9);  // infinite if dt is tiny
+  return static_cast<long long>(std::clamp(steps, 1.0, k_max_steps));
 }
 
 void run_lanes(const Plan& plan, std::span<Lane> lanes,

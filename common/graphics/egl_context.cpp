@@ -2,9 +2,11 @@
 #include "common/graphics/egl_context.hpp"
 
 #include <array>
+#include <cstdlib>
 #include <string_view>
 #include <vector>
 
+#include <dlfcn.h>
 #include <epoxy/gl.h>
 
 #include "common/graphics/input_error.hpp"
@@ -22,6 +24,21 @@ Function extension(const char* function) {
 bool has_word(const char* words, std::string_view word) {
   return words != nullptr
          && std::string_view(words).find(word) != std::string_view::npos;
+}
+
+bool loadable(const char* library) {
+  return dlopen(library, RTLD_LAZY) != nullptr;
+}
+
+/// Refuses what libepoxy would end the program over.
+void require_libraries() {
+  if (!loadable("libEGL.so.1")) {
+    throw InputError("no off-screen OpenGL: libEGL.so.1 cannot be loaded");
+  }
+  if (!loadable("libOpenGL.so.0") && !loadable("libGL.so.1")) {
+    throw InputError("no off-screen OpenGL: libOpenGL.so.0 cannot be loaded");
+  }
+  setenv("EGL_LOG_LEVEL", "fatal", 0);  // it is for us to say what is missing
 }
 
 /// The displays of graphics cards; those in software are left to Mesa's platform.
@@ -82,6 +99,7 @@ EGLContext create_context(EGLDisplay display) {
 }  // namespace
 
 EglContext::EglContext() {
+  require_libraries();
   for (EGLDisplay display : card_displays()) {
     if (open(display)) return;
   }

@@ -25,10 +25,10 @@ std::vector<std::filesystem::path> asset_folders() {
 std::filesystem::path find_asset(const std::string& kind,
                                  const std::filesystem::path& file) {
   std::error_code ignored;
-  if (std::filesystem::exists(file, ignored)) return file;
+  if (std::filesystem::is_regular_file(file, ignored)) return file;
   for (const std::filesystem::path& folder : asset_folders()) {
     const std::filesystem::path candidate = folder / kind / file;
-    if (std::filesystem::exists(candidate, ignored)) return candidate;
+    if (std::filesystem::is_regular_file(candidate, ignored)) return candidate;
   }
   return file;
 }

@@ -1,5 +1,6 @@
 #include "common/graphics/image.hpp"
 
+#include <fstream>
 #include <memory>
 #include <system_error>
 
@@ -31,6 +32,20 @@ std::vector<std::uint8_t> opaque_bytes(const Image& image) {
     rgb.insert(rgb.end(), {image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]});
   }
   return rgb;
+}
+
+/// Whether all of the picture got into the file.
+bool encode_png(const Image& image, const std::filesystem::path& file) {
+  std::ofstream out(file, std::ios::binary);
+  const auto append = [](void* stream, void* bytes, int count) {
+    static_cast<std::ofstream*>(stream)->write(static_cast<const char*>(bytes), count);
+  };
+  const std::vector<std::uint8_t> rgb = opaque_bytes(image);
+  const bool encoded = stbi_write_png_to_func(append, &out, image.width, image.height,
+                                              3, rgb.data(), image.width * 3)
+                       != 0;
+  out.close();
+  return encoded && out;
 }
 
 }  // namespace
@@ -73,11 +88,7 @@ void write_png(const Image& image, const std::filesystem::path& file) {
   }
 
   const std::filesystem::path temporary = file.string() + ".part";
-  const std::vector<std::uint8_t> rgb = opaque_bytes(image);
-  const bool written = stbi_write_png(temporary.string().c_str(), image.width,
-                                      image.height, 3, rgb.data(), image.width * 3)
-                       != 0;
-
+  const bool written = encode_png(image, temporary);
   std::error_code error;
   if (written) std::filesystem::rename(temporary, file, error);
   if (!written || error) {

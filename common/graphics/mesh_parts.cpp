@@ -1,11 +1,14 @@
 #include "common/graphics/mesh_parts.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "common/graphics/apart.hpp"
 #include "common/graphics/input_error.hpp"
+#include "common/graphics/mesh_bytes.hpp"
 
 #ifdef TIMESTEP_HAS_ASSIMP
 #include <assimp/Importer.hpp>
@@ -27,9 +30,8 @@ namespace {
 void require_file(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) refuse(file, "is a folder");
-  if (!std::filesystem::is_regular_file(file, ignored)) {
-    refuse(file, "there is no such file");
-  }
+  if (!std::filesystem::exists(file, ignored)) refuse(file, "there is no such file");
+  if (!std::filesystem::is_regular_file(file, ignored)) refuse(file, "is not a file");
   if (std::filesystem::file_size(file, ignored) == 0) refuse(file, "is empty");
 }
 
@@ -109,14 +111,7 @@ const aiScene& read(Assimp::Importer& importer, const std::filesystem::path& fil
   return *scene;
 }
 
-}  // namespace
-
-bool can_load_meshes() {
-  return true;
-}
-
-std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file) {
-  require_file(file);
+std::vector<MeshPart> read_parts(const std::filesystem::path& file) {
   Assimp::Importer importer;
   const aiScene& scene = read(importer, file);
 
@@ -133,6 +128,34 @@ std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file) {
   }
   if (parts.empty()) refuse(file, "has no triangles");
   return parts;
+}
+
+}  // namespace
+
+bool can_load_meshes() {
+  return true;
+}
+
+std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file) {
+  constexpr unsigned k_patience = 30;  // [s]
+  require_file(file);
+
+  // A broken file can crash assimp or keep it busy for ever
+  const auto read = [&]() -> std::string {
+    try {
+      return "+" + to_bytes(read_parts(file));
+    } catch (const InputError& error) {
+      return std::string("-") + error.what();
+    }
+  };
+  const std::optional<std::string> answer = compute_apart(read, k_patience);
+  if (!answer) {
+    refuse(file,
+           fmt::format("is broken: assimp crashes over it or takes more than {} s",
+                       k_patience));
+  }
+  if (answer->front() == '-') throw InputError(answer->substr(1));
+  return parts_from_bytes(std::string_view(*answer).substr(1));
 }
 
 #else

@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "common/graphics/input_error.hpp"
 #include "common/physics/euler.hpp"
 #include "common/physics/exact.hpp"
 #include "common/physics/forces.hpp"
@@ -26,12 +29,26 @@ using truth::OtherPrecision;
 constexpr double k_u = 0x1p-24;  // unit round-off of single precision
 
 double number(const Json& inputs, const char* name) {
-  return inputs.at(name).get<double>();
+  const Json& value = inputs.at(name);
+  if (!value.is_number()) throw InputError(fmt::format("{}: must be a number", name));
+  return value.get<double>();
 }
 
 glm::dvec3 vector(const Json& inputs, const char* name) {
   const Json& v = inputs.at(name);
-  return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
+  const auto is_number = [](const Json& part) { return part.is_number(); };
+  if (!v.is_array() || v.size() != 3 || !std::ranges::all_of(v, is_number))
+    throw InputError(fmt::format("{}: must be three numbers", name));
+  return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
+}
+
+// The number of steps, which all the time and memory of a case depend on.
+long long steps(const Json& inputs) {
+  constexpr double k_most = 1e8;
+  const double n = number(inputs, "n");
+  if (!(n >= 0 && n <= k_most) || n != std::floor(n))
+    throw InputError(fmt::format("n: must be a whole number from 0 to {:g}", k_most));
+  return static_cast<long long>(n);
 }
 
 Json json(const glm::dvec3& v) {
@@ -58,7 +75,7 @@ Computed constant_acceleration_steps(const Json& inputs) {
   const exact::Motion start{vector(inputs, "x0"), vector(inputs, "v0")};
   const glm::dvec3 a = vector(inputs, "a");
   const double dt = number(inputs, "dt");
-  const auto n = inputs.at("n").get<long long>();
+  const auto n = steps(inputs);
   State state = particles(1);
   put(state.x, 0, Vec3(start.x));
   put(state.v, 0, Vec3(start.v));
@@ -182,7 +199,7 @@ Computed oscillator_steps(const Json& inputs) {
   const double x0 = number(inputs, "x0");
   const double v0 = number(inputs, "v0");
   const double dt = number(inputs, "dt");
-  const auto n = inputs.at("n").get<long long>();
+  const auto n = steps(inputs);
   const Integrator step = method(inputs);
   const double omega = std::sqrt(k / m);
 
@@ -264,7 +281,7 @@ double quotient(const Pair& a, const Pair& b) {
 Computed time_accumulation(const Json& inputs) {
   only_in(inputs);
   const double dt = number(inputs, "dt");
-  const auto n = inputs.at("n").get<long long>();
+  const auto n = steps(inputs);
   const double t = accumulated_time(Real(dt), n);
   const Pair ideal = product({dt, 0}, static_cast<double>(n));
   return {{{"t", t},
@@ -284,7 +301,7 @@ Computed free_fall_float32(const Json& inputs) {
   const double y0 = number(inputs, "y0");
   const double g = number(inputs, "g");
   const double dt = number(inputs, "dt");
-  const auto n = inputs.at("n").get<long long>();
+  const auto n = steps(inputs);
   State state{.x = {Real(y0)}, .v = {0}, .a = {0}};
   run(
       semi_implicit_euler, state, [g](auto, auto, Real, auto a) { a[0] = -Real(g); },

@@ -1,12 +1,15 @@
 // truth FILE… [--kind K] [--precision single|double] [--out computed.json]
-#include <cstdio>
+#include <filesystem>
 #include <fstream>
-#include <iostream>
-#include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "common/chapter/console.hpp"
+#include "common/chapter/outputs.hpp"
 #include "common/graphics/input_error.hpp"
 #include "tests/truth/runner.hpp"
 
@@ -16,63 +19,78 @@ using timestep::InputError;
 using timestep::truth::Precision;
 using timestep::truth::Report;
 
-void print(const Report& report) {
-  fmt::print("{:<30} {:>7} {:>7} {:>12}\n", "kind", "passed", "failed", "not covered");
-  for (const auto& [kind, tally] : report.kinds)
-    fmt::print("{:<30} {:>7} {:>7} {:>12}\n", kind, tally.passed, tally.failed,
-               tally.not_covered);
-  const auto& total = report.total;
-  fmt::print("{:<30} {:>7} {:>7} {:>12}\n", "all", total.passed, total.failed,
-             total.not_covered);
+// The command line as it was typed.
+struct Wanted {
+  std::vector<std::filesystem::path> files;
+  std::string kind, precision = "double";
+  std::optional<std::string> out;
+};
+
+std::string row(const std::string& kind, const timestep::truth::Tally& tally) {
+  return fmt::format("{:<30} {:>7} {:>7} {:>12}\n", kind, tally.passed, tally.failed,
+                     tally.not_covered);
+}
+
+std::string text_of(const Report& report) {
+  std::string text = fmt::format("{:<30} {:>7} {:>7} {:>12}\n", "kind", "passed",
+                                 "failed", "not covered");
+  for (const auto& [kind, tally] : report.kinds) text += row(kind, tally);
+  text += row("all", report.total);
 
   int not_computed = 0;
   for (const auto& outcome : report.outcomes) {
     not_computed += outcome.fields_not_computed;
-    if (!outcome.pass) fmt::print("FAILED {}: {}\n", outcome.id, outcome.failure);
+    if (!outcome.pass)
+      text += fmt::format("FAILED {}: {}\n", outcome.id, outcome.failure);
   }
-  fmt::print("fields of covered cases that are not computed: {}\n", not_computed);
+  return text
+         + fmt::format("fields of covered cases that are not computed: {}\n",
+                       not_computed);
 }
 
-// The whole file or none: it is written beside its place and then moved there.
-void write(const Report& report, const std::string& file) {
-  const std::string part = file + ".part";
-  std::ofstream out(part);
+void write(const Report& report, const std::filesystem::path& file) {
+  std::ofstream out(file);
   out << to_json(report).dump(1) << '\n';
   out.close();
-  std::error_code failed;
-  if (out) std::filesystem::rename(part, file, failed);
-  if (!out || failed) {
-    std::filesystem::remove(part, failed);
-    throw InputError(fmt::format("--out {}: cannot be written", file));
-  }
+  if (!out) throw InputError("--out: cannot be written to the end");
+}
+
+Precision parse_precision(const std::string& text) {
+  if (text == "single") return Precision::single_bits;
+  if (text == "double") return Precision::double_bits;
+  throw InputError(fmt::format("--precision {}: must be single or double", text));
+}
+
+// Runs the cases; the file, if one is wanted, appears whole or not at all.
+int run(const Wanted& wanted) {
+  const Precision precision = parse_precision(wanted.precision);
+  const Report report = run_cases(wanted.files, wanted.kind, precision);
+  timestep::Outputs outputs;
+  if (wanted.out) write(report, outputs.stage("--out", *wanted.out));
+  outputs.publish();
+  timestep::print_out(text_of(report));
+  return report.total.failed == 0 ? 0 : 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  timestep::keep_standard_streams();
   CLI::App app("Computes the cases of truth files with the engine and compares.",
                "truth");
-  std::vector<std::filesystem::path> files;
-  std::string kind, out;
-  Precision precision = Precision::double_bits;
-  const std::map<std::string, Precision> names{{"single", Precision::single_bits},
-                                               {"double", Precision::double_bits}};
-  app.add_option("FILE", files, "truth files")->required();
-  app.add_option("--kind", kind, "only this kind of case");
-  app.add_option("--precision", precision, "single or double (the default)")
-      ->transform(CLI::Transformer(names));
-  app.add_option("--out", out, "file for what was computed, as JSON");
+  Wanted wanted;
+  app.add_option("FILE", wanted.files, "truth files")->required();
+  app.add_option("--kind", wanted.kind, "only this kind of case");
+  app.add_option("--precision", wanted.precision, "single or double (the default)");
+  app.add_option("--out", wanted.out, "file for what was computed, as JSON");
 
   try {
     app.parse(argc, argv);
-    const Report report = run_cases(files, kind, precision);
-    print(report);
-    if (!out.empty()) write(report, out);
-    return report.total.failed == 0 ? 0 : 1;
+    return run(wanted);
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const std::exception& error) {
-    std::cerr << "truth: " << error.what() << '\n';
+    timestep::print_note("truth", error.what());
     return 2;
   }
 }

@@ -11,17 +11,33 @@
 namespace timestep::truth {
 namespace {
 
+// Keeps lists in lists in lists from exhausting the stack of those who walk them.
+bool refuse_depth(int depth, Json::parse_event_t, Json&) {
+  constexpr int k_deepest = 32;
+  if (depth > k_deepest) throw InputError(fmt::format("deeper than {}", k_deepest));
+  return true;
+}
+
 Json load(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  std::error_code ignored;
+  std::ifstream in;
+  if (std::filesystem::is_regular_file(file, ignored)) in.open(file);
+  if (!in.is_open())
+    throw InputError(fmt::format("{}: is not a file that can be read", file.string()));
   try {
-    Json document = Json::parse(in);
+    Json document = Json::parse(in, refuse_depth);
     if (!document.at("cases").is_array()) throw InputError("no list of cases");
     return document;
   } catch (const std::exception& error) {
     throw InputError(
         fmt::format("{}: not a truth file: {}", file.string(), error.what()));
   }
+}
+
+std::string id_of(const Json& test) {
+  const bool named =
+      test.is_object() && test.contains("id") && test.at("id").is_string();
+  return named ? test.at("id").get<std::string>() : "without id";
 }
 
 // The library of the wanted precision comes first. Cases that name a precision of their
@@ -40,6 +56,7 @@ std::vector<Kind> find_kinds(const std::string& name, Precision precision) {
 
 std::vector<double> components(const Json& value) {
   if (value.is_number()) return {value.get<double>()};
+  if (!value.is_array()) throw InputError("expected: must be numbers or lists of them");
   std::vector<double> all;
   for (const Json& part : value) {
     const std::vector<double> inner = components(part);
@@ -64,6 +81,8 @@ bool close(const Json& got, const Json& expected, double rel, double abs) {
 Outcome compare(const Json& test, const Computed& computed, Precision precision) {
   Outcome outcome{
       .id = test.at("id"), .kind = test.at("kind"), .computed = computed.fields};
+  if (!test.at("expected").is_object() || test.at("expected").empty())
+    throw InputError("expected: must be an object with at least one field");
   const double rel = test.at("tol").at("rel");
   const double abs = test.at("tol").at("abs");
   for (const auto& [name, expected] : test.at("expected").items()) {
@@ -127,9 +146,9 @@ Report run_cases(const std::vector<std::filesystem::path>& files,
     for (const Json& test : document.at("cases")) {
       try {
         if (kind.empty() || test.at("kind") == kind) add(report, test, precision);
-      } catch (const Json::exception& error) {
-        throw InputError(fmt::format("{}: case {}: {}", file.string(),
-                                     test.value("id", "without id"), error.what()));
+      } catch (const std::exception& error) {
+        throw InputError(
+            fmt::format("{}: case {}: {}", file.string(), id_of(test), error.what()));
       }
     }
   }
