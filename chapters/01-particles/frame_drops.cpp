@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "chapters/01-particles/parts.hpp"
 #include "common/chapter/fixed_step.hpp"
 #include "common/chapter/random.hpp"
 #include "common/chapter/trail.hpp"
+#include "common/graphics/input_error.hpp"
 #include "common/graphics/palette.hpp"
 #include "common/physics/euler.hpp"
 #include "common/physics/exact.hpp"
@@ -67,6 +70,13 @@ FrameDrops::FrameDrops(const Setup& setup)
       slow_every_(setup.parameters.at("slow_every")),
       jitter_(setup.parameters.at("jitter")),
       max_step_(setup.parameters.at("max_step")) {
+  // One tick of the clock shows every frame that it holds, so it must not hold too many
+  constexpr double k_longest_tick = 60;  // [s]
+  if (setup.dt > k_longest_tick)
+    throw InputError(
+        fmt::format("--dt {:g}: scene frame-drops takes steps of up to {} s", setup.dt,
+                    k_longest_tick));
+
   fixed_.dt = setup.dt;
   fixed_.max_steps_per_frame = static_cast<int>(setup.parameters.at("max_steps"));
   frame_time_ = next_frame_time();
