@@ -136,6 +136,7 @@ TEST_CASE(
 
   // The oldest droplet has lived 1.6 s but for an interval; 96 steps round x and v, at
   // most 4 m and 9 m/s, carried for as long
+  // (the others: within the last of 96 steps and that interval, hence 2 %)
   const double rounding = 96 * k_u * (4 + 9 * 1.6) * 2;
   CHECK(largest_error("modified_euler") <= rounding);
   for (const char* method : {"explicit_euler", "semi_implicit_euler"})
