@@ -207,6 +207,27 @@ TEST_CASE("exact quadratic drag satisfies its own differential equation") {
   }
 }
 
+TEST_CASE("exact quadratic drag agrees with an independent integration") {
+  // Classical Runge-Kutta in 20,000 steps, written here: its error, of the fourth power
+  // of the step, and the rounding of 20,000 additions to 25 m both stay below 1e-10
+  const glm::dvec3 g{0, -9.81, 0};
+  constexpr int n = 20'000;
+  constexpr double k = 0.05, h = 3.0 / n;
+  const auto a = [&](const glm::dvec3& w) { return g - k * glm::length(w) * w; };
+  glm::dvec3 x{0, 1, 0}, v{20, 25, -5};
+  for (int i = 0; i < n; ++i) {
+    const glm::dvec3 a1 = a(v);
+    const glm::dvec3 v2 = v + h / 2 * a1, a2 = a(v2);
+    const glm::dvec3 v3 = v + h / 2 * a2, a3 = a(v3);
+    const glm::dvec3 v4 = v + h * a3, a4 = a(v4);
+    x += h / 6 * (v + 2.0 * v2 + 2.0 * v3 + v4);
+    v += h / 6 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+  }
+  const auto end = exact::quadratic_drag({{0, 1, 0}, {20, 25, -5}}, g, k, 3);
+  CHECK(glm::distance(x, end.x) <= 1e-10);
+  CHECK(glm::distance(v, end.v) <= 1e-10);
+}
+
 TEST_CASE("exact quadratic drag: position is the integral of velocity") {
   // Simpson's rule over 8,000 pieces: its error falls with the fourth power, to 1e-12
   const exact::Motion start{{0, 1, 0}, {20, 25, -5}};
