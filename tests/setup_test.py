@@ -114,6 +114,14 @@ class SetupTest(unittest.TestCase):
                 self.assertIn(f"type: {line}", said)
                 self.assertNotIn(" -\n", said)
 
+    def test_developers_packages_are_set_up_only_when_asked_for(self) -> None:
+        self.system("apt")
+        self.assertEqual(self.timestep("setup", lacking="clang-tidy"), (0, ""))
+        code, said = self.timestep("setup", "developer", lacking="clang-tidy")
+        self.assertEqual(code, 2)
+        self.assertRegex(said, r"^timestep: [^\n]* sudo apt-get install clang-tidy\n$")
+        self.assertEqual(self.timestep("setup", "developer"), (0, ""))
+
     def test_missing_optional_packages_are_said_and_passed_over(self) -> None:
         self.system("apt")
         code, said = self.timestep("setup", lacking="ffmpeg")
