@@ -3,6 +3,9 @@
 # include only what it or an earlier chapter introduced.
 #
 # Each row: chapter, then concepts; a concept X is the file X.hpp and, if there is one, X.cpp.
+# What is exact is always double: it is compiled once.
 set(timestep_manifest
   "01-particles: precision real integrator euler particle forces rounding exact"
+  "02-verlet: scheme verlet runge_kutta implicit yoshida verlet_drag schemes
+    dormand_prince systems distance_constraint stability exact_orbit exact_pendulum"
 )

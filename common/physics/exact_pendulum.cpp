@@ -1,0 +1,138 @@
+#include "common/physics/exact_pendulum.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace timestep::exact {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Carlson's symmetric integral R_F by duplication; its series reaches round-off once
+// the arguments are within a thousandth of each other
+double carlson_rf(double x, double y, double z) {
+  while (true) {
+    const double mean = (x + y + z) / 3;
+    const double X = 1 - x / mean;
+    const double Y = 1 - y / mean;
+    const double Z = -X - Y;
+    if (std::max({std::abs(X), std::abs(Y), std::abs(Z)}) < 1e-3) {
+      const double e2 = X * Y - Z * Z;
+      const double e3 = X * Y * Z;
+      return (1 - e2 / 10 + e3 / 14 + e2 * e2 / 24 - 3 * e2 * e3 / 44)
+             / std::sqrt(mean);
+    }
+    const double lambda = std::sqrt(x * y) + std::sqrt(y * z) + std::sqrt(z * x);
+    x = (x + lambda) / 4;
+    y = (y + lambda) / 4;
+    z = (z + lambda) / 4;
+  }
+}
+
+// Elliptic functions of the parameter m = 1 - m1
+struct Elliptic {
+  double m, m1;
+
+  double K() const { return carlson_rf(0, m1, 1); }
+
+  // F(phi): the integral of the first kind for every phi
+  double F(double phi) const {
+    const double half_turns = std::round(phi / pi);
+    const double rest = phi - pi * half_turns;
+    const double s = std::sin(rest);
+    const double c = std::cos(rest);
+    const double part = s * carlson_rf(c * c, c * c + m1 * s * s, 1);
+    return half_turns == 0 ? part : part + 2 * half_turns * K();
+  }
+
+  // am(w), the inverse of F, by descending Landen steps (arithmetic-geometric mean)
+  double am(double w) const {
+    if (m1 == 0) return std::atan(std::sinh(w));
+    const double turns = std::round(w / (4 * K()));
+    std::array<double, 16> a{}, c{};
+    a[0] = 1;
+    double b = std::sqrt(m1);
+    std::size_t n = 0;
+    while (std::abs(a[n] - b) > 1e-16 * a[n] && n + 1 < a.size()) {
+      c[n + 1] = (a[n] - b) / 2;
+      a[n + 1] = (a[n] + b) / 2;
+      b = std::sqrt(a[n] * b);
+      ++n;
+    }
+    double phi = std::ldexp(a[n] * (w - 4 * K() * turns), static_cast<int>(n));
+    for (; n > 0; --n) phi = (phi + std::asin(c[n] / a[n] * std::sin(phi))) / 2;
+    return phi + 2 * pi * turns;
+  }
+};
+
+// A pendulum's start, folded to within half a turn from hanging. k² = sin²(x / 2)
+// + (v / (2 omega0))² is its energy in units of what it takes to reach the top; below 1
+// it swings, above it turns.
+struct Swing {
+  double turns, half_angle, rate;  // rate: v / (2 omega0)
+  double k2, rest;                 // rest = 1 - k2, without cancellation
+
+  Swing(const Coordinate& start, double omega0)
+      : turns(std::round(start.x / (2 * pi))),
+        half_angle(start.x / 2 - pi * turns),
+        rate(start.v / (2 * omega0)) {
+    const double s = std::sin(half_angle);
+    const double c = std::cos(half_angle);
+    k2 = s * s + rate * rate;
+    rest = (c - rate) * (c + rate);
+  }
+};
+
+}  // namespace
+
+Coordinate pendulum(const Coordinate& start, double omega0, double t) {
+  const Swing swing(start, omega0);
+  const auto& [turns, half_angle, rate, k2, rest] = swing;
+  const double k = std::sqrt(k2);
+  if (k2 == 0) return start;
+
+  // (2.29) Swinging: sin(x / 2) = k sin phi, v = 2 k omega0 cos phi
+  if (rest > 0) {
+    const Elliptic elliptic{k2, rest};
+    const double phi0 = std::atan2(std::sin(half_angle), rate);
+    const double phi = elliptic.am(elliptic.F(phi0) + omega0 * t);
+    const double s = k * std::sin(phi);
+    const double c = std::sqrt(rest + k2 * std::cos(phi) * std::cos(phi));
+    return {2 * (std::atan2(s, c) + pi * turns), 2 * k * omega0 * std::cos(phi)};
+  }
+
+  // Turning over, or just reaching the top: x / 2 itself is an amplitude
+  const Elliptic elliptic{1 / k2, -rest / k2};
+  const double way = std::copysign(1.0, rate);
+  const double phi = elliptic.am(elliptic.F(way * half_angle) + k * omega0 * t);
+  const double s = std::sin(phi);
+  const double c = std::cos(phi);
+  return {2 * (way * phi + pi * turns),
+          way * 2 * k * omega0 * std::sqrt(c * c + elliptic.m1 * s * s)};
+}
+
+double pendulum_period(const Coordinate& start, double omega0) {
+  const Swing swing(start, omega0);
+  if (swing.rest > 0) return 4 * Elliptic{swing.k2, swing.rest}.K() / omega0;
+  const double k2 = swing.k2;
+  return 2 * Elliptic{1 / k2, -swing.rest / k2}.K() / (std::sqrt(k2) * omega0);
+}
+
+TwoBodies spring_between(const TwoBodies& start, double m1, double m2, double k,
+                         double length, double t) {
+  const auto& [a, b] = start;
+  const double m = m1 + m2;
+
+  // (2.31) The centre of mass moves straight on, the distance is an oscillator
+  const Coordinate centre{(m1 * a.x + m2 * b.x) / m, (m1 * a.v + m2 * b.v) / m};
+  const double omega = std::sqrt(k * m / (m1 * m2));
+  const Coordinate apart = oscillator({b.x - a.x - length, b.v - a.v}, omega, 0, t);
+  const double x = centre.x + centre.v * t;
+  const double distance = apart.x + length;
+  return {{x - m2 / m * distance, centre.v - m2 / m * apart.v},
+          {x + m1 / m * distance, centre.v + m1 / m * apart.v}};
+}
+
+}  // namespace timestep::exact
