@@ -21,6 +21,7 @@ from pathlib import Path
 import figures
 import pictures
 import weave_code
+import weave_notation
 import weave_table
 from weave_marker import INLINE, Place, replace_all
 from weave_runs import ROOT, Chapter, Run, WeaveError, look_up, written
@@ -133,6 +134,10 @@ class Weaver:
             self.say_stale(place, "its picture is old (weave.py --pictures renders it)")
         path = os.path.relpath(pictures.path(chapter, name), place.file.parent)
         return f"![{alt}]({path})"
+
+    def notation(self, place: Place) -> str:
+        text = place.file.read_text(encoding="utf-8")
+        return weave_notation.table(place.file, text, self.root)
 
     # --- files ------------------------------------------------------------------------
 
