@@ -1,6 +1,6 @@
 """Every command that the text shows exists, and every link leads somewhere.
 
-Checks the ```sh blocks: commands of ./timestep, presets of CMake, and executables with
+Checks the ```sh blocks, and `./timestep …` in sentences: commands of ./timestep, presets of CMake, and executables with
 their options, scenes, methods, presets and parameters, against what these say of
 themselves. Given --self-test, shows that wrong ones are found.
 """
@@ -18,6 +18,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"^[ ]*```sh\n(.*?)^[ ]*```", re.DOTALL | re.MULTILINE)
+INLINE = re.compile(r"`(\./timestep [^`\n]*)`")
 LINK = re.compile(r"\]\(([^()\s:#]+)(?:#[^()\s]*)?\)")
 # Not ours to check: everyone's commands
 COMMON = {"cd", "git", "open", "xdg-open", "sudo", "apt-get", "dnf", "pacman", "brew"}
@@ -28,8 +29,9 @@ class Fault(Exception):
 
 
 def commands(text: str) -> list[tuple[int, list[str]]]:
-    """Each command of the text's shell blocks with its line, as words."""
-    found = []
+    """Each command of the text with its line, as words."""
+    found = [(text.count("\n", 0, span.start()) + 1, span[1].split())
+             for span in INLINE.finditer(text)]
     for block in BLOCK.finditer(text):
         first = text.count("\n", 0, block.start(1)) + 1
         body = re.sub(r"\\\n", "  ", block[1])
@@ -114,10 +116,16 @@ def check_preset(words: list[str]) -> None:
 
 def check_timestep(words: list[str]) -> None:
     listed = re.findall(r"^  ([a-z]+)", output_of("./timestep", "help"), re.MULTILINE)
-    must_be("command", words[0] if words else "help", listed)
+    words = words or ["help"]
+    must_be("command", words[0], listed)
     for label in words[1:] if words[0] == "test" else []:
         if label.isdigit() and not list(ROOT.glob(f"chapters/{label}-*")):
             raise Fault(f"no chapter {label}")
+    if words[0] == "exercise" and words[1:]:
+        known = [line.split()[0] for line in
+                 output_of("./timestep", "exercise").splitlines()]
+        must_be("exercise", words[1], known)
+        must_be("option", "".join(words[2:]) or "--solution", ["--solution"])
 
 
 def check_command(words: list[str], bin_folder: Path) -> None:
@@ -166,8 +174,10 @@ cmake --preset release && ctest --preset=debug
 build/release/bin/01-x --scene fall --method euler,all \\
   --set mass=1 --preset ball --dt 0.1 > file
 TIMESTEP_NO_INSTALL=1 ./timestep test
+./timestep exercise 1.1 --solution
 python3 docs/weave.py --check"""
-WRONG = ["./timestep fly", "./timestep test 99", "cmake --preset fast", "make",
+WRONG = ["./timestep fly", "./timestep test 99", "./timestep exercise 9.9",
+         "./timestep exercise 1.1 --hint", "cmake --preset fast", "make",
          "build/release/bin/02-y", "build/release/bin/01-x --sceme fall",
          "build/release/bin/01-x --scene rise", "build/release/bin/01-x --method=rk4",
          "build/release/bin/01-x --set weight=1",
@@ -190,6 +200,9 @@ def self_test() -> list[str]:
         page.write_text("[a](README.md) ![b](none.png)")
         if len(check_file(page, Path(scratch))) != 1:
             failures.append("self-test: a broken link was not found")
+        page.write_text("type `./timestep`, `./timestep help` or `./timestep fly`")
+        if len(check_file(page, Path(scratch))) != 1:
+            failures.append("self-test: a wrong command in a sentence was not found")
     return failures
 
 

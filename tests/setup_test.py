@@ -27,7 +27,9 @@ MANAGERS = {
 }
 
 
-class SetupTest(unittest.TestCase):
+class Script(unittest.TestCase):
+    """A copy of the script in a folder of its own, with nothing but made-up programs."""
+
     def setUp(self) -> None:
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
@@ -60,11 +62,13 @@ class SetupTest(unittest.TestCase):
                              stdin=subprocess.DEVNULL)
         return run.returncode, run.stdout + run.stderr
 
+
+class SetupTest(Script):
     def test_help_lists_the_commands_from_any_folder(self) -> None:
         for words in ((), ("help",), ("--help",)):
             code, said = self.timestep(*words)
             self.assertEqual(code, 0)
-            for command in ("tour", "test", "format", "setup"):
+            for command in ("tour", "test", "exercise", "book", "format", "setup"):
                 self.assertIn(f"\n  {command} ", said)
 
     def test_unknown_command_names_the_nearest(self) -> None:
@@ -73,7 +77,7 @@ class SetupTest(unittest.TestCase):
         self.assertRegex(said, r"^timestep: no command 'tuor'; [^\n]*'tour'[^\n]*\n$")
 
     def test_words_that_a_command_does_not_take_are_refused(self) -> None:
-        for command in ("help", "setup", "format"):
+        for command in ("help", "setup", "book", "format"):
             code, said = self.timestep(command, "more")
             self.assertEqual(code, 2)
             self.assertRegex(said, rf"^timestep: {command} [^\n]*'more'\n$")
@@ -127,6 +131,19 @@ class SetupTest(unittest.TestCase):
         code, said = self.timestep("setup", lacking="ffmpeg")
         self.assertEqual(code, 0)
         self.assertRegex(said, r"^Optional [^\n]+: sudo apt-get install ffmpeg\n$")
+
+    def test_the_book_needs_doxygen_and_would_like_mathjax(self) -> None:
+        self.system("apt")
+        (self.root / "docs").mkdir()
+        (self.root / "docs/book.py").write_text("print('made')")
+        lacking = "g++ doxygen libjs-mathjax"
+        code, said = self.timestep("book", lacking=lacking)
+        self.assertEqual(code, 2)
+        self.assertRegex(said, r"^timestep: [^\n]* sudo apt-get install doxygen\n$")
+        self.fake("doxygen", "")
+        code, said = self.timestep("book", lacking=lacking)
+        self.assertEqual(code, 0)
+        self.assertRegex(said, r"^Optional [^\n]* apt-get install libjs-mathjax\nmade\n$")
 
     def test_root_installs_and_fetches_the_lists_only_when_needed(self) -> None:
         self.system("apt")
