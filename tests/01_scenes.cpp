@@ -6,9 +6,9 @@
 
 #include "chapters/01-particles/emitter.hpp"
 #include "chapters/01-particles/scenes.hpp"
-#include "common/graphics/input_error.hpp"
 #include "common/physics/real.hpp"
 #include "tests/catch.hpp"
+#include "tests/scene_run.hpp"
 
 using namespace timestep;
 
@@ -16,40 +16,13 @@ namespace {
 
 constexpr double k_u = std::numeric_limits<Real>::epsilon() / 2;
 
-Scene scene_named(const std::string& name) {
-  for (const Scene& scene : chapter_01::scenes())
-    if (scene.name == name) return scene;
-  throw InputError("no scene " + name);
-}
-
-Setup setup_of(const Scene& scene, const std::string& method,
-               const std::map<std::string, double>& changes = {}) {
-  Setup setup;
-  setup.method = method;
-  setup.dt = scene.dt;
-  setup.duration = scene.duration;
-  for (const Parameter& p : scene.parameters) setup.parameters[p.name] = p.value;
-  for (const auto& [name, value] : changes) setup.parameters.at(name) = value;
-  return setup;
-}
-
-void run(Simulation& simulation, int steps) {
-  simulation.observe();
-  for (int i = 0; i < steps; ++i) {
-    simulation.step();
-    simulation.observe();
-  }
-}
-
-double metric(const Simulation& simulation, const std::string& name) {
-  for (const Metric& m : simulation.metrics())
-    if (m.name == name) return m.value;
-  throw InputError("no metric " + name);
+Scene scene_of(const std::string& name) {
+  return scene_named(chapter_01::scenes(), name);
 }
 
 // Position of the mass after each number of integration steps.
 std::map<int, double> positions_by_step(double slow_every) {
-  const Scene scene = scene_named("frame-drops");
+  const Scene scene = scene_of("frame-drops");
   const auto simulation =
       scene.start(setup_of(scene, "fixed", {{"slow_every", slow_every}}));
   std::map<int, double> positions;
@@ -99,7 +72,7 @@ TEST_CASE("a slow frame does not change what fixed steps compute, bit for bit") 
 }
 
 TEST_CASE("a slow frame throws variable steps far off, and the others not") {
-  const Scene scene = scene_named("frame-drops");
+  const Scene scene = scene_of("frame-drops");
   const auto energy_after = [&](const std::string& method) {
     const auto simulation = scene.start(setup_of(scene, method));
     run(*simulation, 240);
@@ -114,7 +87,7 @@ TEST_CASE("a slow frame throws variable steps far off, and the others not") {
 }
 
 TEST_CASE("a cap on the steps of a frame drops time instead of catching up") {
-  const Scene scene = scene_named("frame-drops");
+  const Scene scene = scene_of("frame-drops");
   const auto simulation =
       scene.start(setup_of(scene, "fixed", {{"max_steps", 4}, {"jitter", 0}}));
   run(*simulation, 240);
@@ -126,7 +99,7 @@ TEST_CASE("a cap on the steps of a frame drops time instead of catching up") {
 
 TEST_CASE(
     "droplets without drag: modified Euler is exact, the others off by g t dt / 2") {
-  const Scene scene = scene_named("fountain");
+  const Scene scene = scene_of("fountain");
   const auto largest_error = [&](const std::string& method) {
     const auto simulation =
         scene.start(setup_of(scene, method, {{"drag_rate", 0}, {"particles", 5000}}));
@@ -144,7 +117,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a throw cannot have both kinds of drag") {
-  const Scene scene = scene_named("projectile");
+  const Scene scene = scene_of("projectile");
   const Setup setup =
       setup_of(scene, "explicit_euler", {{"linear_drag", 1}, {"quadratic_drag", 1}});
   CHECK_THROWS_AS(scene.start(setup), InputError);

@@ -138,6 +138,15 @@ TEST_CASE("zooming in and out again returns") {
   REQUIRE(zoom(CameraPose{}, 1).distance < CameraPose{}.distance);
 }
 
+TEST_CASE("thirty-two methods differ in marker or in colour") {
+  std::set<std::string> looks;
+  for (int i = 0; i < 32; ++i) {
+    const Style style = method_style(i);
+    looks.insert(to_hex(style.color) + name(style.marker));
+  }
+  REQUIRE(looks.size() == 32);
+}
+
 TEST_CASE("eight methods differ in marker and in colour") {
   std::set<MarkerShape> markers;
   std::set<std::string> colors;
@@ -147,8 +156,8 @@ TEST_CASE("eight methods differ in marker and in colour") {
   }
   REQUIRE(markers.size() == 8);
   REQUIRE(colors.size() == 8);
-  REQUIRE(method_style(8).marker == method_style(0).marker);
-  REQUIRE(method_style(-1).marker == method_style(7).marker);
+  REQUIRE(method_style(32).marker == method_style(0).marker);
+  REQUIRE(method_style(-1).marker == method_style(31).marker);
   REQUIRE(to_hex({1, 0.5F, 0, 0.2F}) == "#ff8000");
   REQUIRE(name(MarkerShape::diamond) == std::string("diamond"));
   REQUIRE(name(Dash::dotted) == std::string("dotted"));

@@ -27,8 +27,16 @@ int byte_of(float channel) {
 }  // namespace
 
 Style method_style(int index) {
-  const int count = static_cast<int>(k_methods.size());
-  return k_methods[static_cast<std::size_t>((index % count + count) % count)];
+  // Later turns keep the colours; their markers move on by three, their dashes by one
+  constexpr int k_count = static_cast<int>(k_methods.size());
+  constexpr int k_turns = 4;
+  const int wrapped =
+      (index % (k_turns * k_count) + k_turns * k_count) % (k_turns * k_count);
+  const int turn = wrapped / k_count;
+  const auto at = [](int i) { return static_cast<std::size_t>(i % k_count); };
+  const auto dash =
+      static_cast<Dash>((static_cast<int>(k_methods[at(wrapped)].dash) + turn) % 3);
+  return {k_methods[at(wrapped)].color, k_methods[at(wrapped + 3 * turn)].marker, dash};
 }
 
 Style reference_style() {

@@ -19,7 +19,8 @@ inline constexpr Color k_force{0.78F, 0.22F, 0.16F, 1};     ///< force arrows
 inline constexpr Color k_velocity{0.05F, 0.42F, 0.66F, 1};  ///< velocity arrows
 inline constexpr Color k_normal{0.00F, 0.52F, 0.40F, 1};    ///< contact normals
 
-/// How the method of this index looks; distinct up to eight, then they repeat.
+/// How the method of this index looks. The first eight differ in colour and in marker;
+/// those up to 32 in the pair of both; then they repeat.
 Style method_style(int index);
 
 /// How the exact or reference solution looks: ink, dashed, a plus.

@@ -50,6 +50,11 @@ Real first_step(const State& state, Real whole) {
   return std::max(dt, whole * Real(1e-6));
 }
 
+void give_up(State& state) {
+  std::ranges::fill(state.x, std::numeric_limits<Real>::quiet_NaN());
+  std::ranges::fill(state.v, std::numeric_limits<Real>::quiet_NaN());
+}
+
 }  // namespace
 
 AdaptiveCost dormand_prince(State& state, const Acceleration& acceleration, Real t,
@@ -76,9 +81,9 @@ AdaptiveCost dormand_prince(State& state, const Acceleration& acceleration, Real
       ++cost.rejected;
     }
     dt *= std::clamp(Real(0.9) * std::pow(error, Real(-0.2)), Real(0.2), Real(5));
-    if (t < t_end && t + dt == t) {
-      std::ranges::fill(state.x, std::numeric_limits<Real>::quiet_NaN());
-      std::ranges::fill(state.v, std::numeric_limits<Real>::quiet_NaN());
+    const bool too_many = cost.accepted + cost.rejected == tolerance.most_steps;
+    if (t < t_end && (t + dt == t || too_many)) {
+      give_up(state);
       return cost;
     }
   }

@@ -4,27 +4,57 @@
 #include <numbers>
 
 namespace timestep::exact {
+namespace {
 
-double eccentric_anomaly(double M, double e) {
-  // Whole turns apart, so that the sine is of a small angle
-  const double turns = std::round(M / (2 * std::numbers::pi));
-  const double m = std::remainder(M, 2 * std::numbers::pi);
+// E - sin E, by its series where the difference would cancel
+double less_sine(double E) {
+  if (std::abs(E) > 1) return E - std::sin(E);
+  double term = E * E * E / 6;
+  double sum = 0;
+  for (int k = 4; k < 24; k += 2) {
+    sum += term;
+    term *= -E * E / (k * (k + 1));
+  }
+  return sum;
+}
 
+// 1 - e cos E, the distance in units of a
+double distance(double E, double e) {
+  const double s = std::sin(E / 2);
+  return (1 - e) + 2 * e * s * s;
+}
+
+// E of |M| <= pi: what is left of M once whole turns are taken away
+double within_a_turn(double M, double e) {
   // (2.27) Newton from a start beyond the root, where it cannot overshoot
-  double E = m == 0 ? 0 : std::copysign(std::numbers::pi, m);
+  double E = M == 0 ? 0 : std::copysign(std::numbers::pi, M);
   for (int i = 0; i < 60 && E != 0; ++i) {
-    const double change = (E - e * std::sin(E) - m) / (1 - e * std::cos(E));
+    const double change = ((1 - e) * E + e * less_sine(E) - M) / distance(E, e);
     E -= change;
     if (std::abs(change) <= 1e-16 * std::abs(E)) break;
   }
-  return 2 * std::numbers::pi * turns + E;
+  return E;
+}
+
+// The angle without its whole turns; 2 pi is a double and what that lacks
+double without_turns(double angle) {
+  constexpr double k_lacks = 2.4492935982947064e-16;
+  const double turns = std::round(angle / (2 * std::numbers::pi));
+  return std::fma(-turns, 2 * std::numbers::pi, angle) - turns * k_lacks;
+}
+
+}  // namespace
+
+double eccentric_anomaly(double M, double e) {
+  const double m = without_turns(M);
+  return (M - m) + within_a_turn(m, e);
 }
 
 Motion orbit(double mu, double a, double e, double t) {
   const double n = std::sqrt(mu / a) / a;  // mean motion [rad/s]
-  const double E = eccentric_anomaly(n * t, e);
+  const double E = within_a_turn(without_turns(n * t), e);
   const double b = a * std::sqrt((1 - e) * (1 + e));
-  const double rate = n / (1 - e * std::cos(E));
+  const double rate = n / distance(E, e);
 
   // (2.28) cos E - e = (1 - e) - (1 - cos E), which does not cancel near the pericentre
   const double s = std::sin(E / 2);

@@ -10,8 +10,8 @@ namespace timestep::exact {
 /// 0 <= e < 1: the root of Kepler's equation E - e sin E = M.
 double eccentric_anomaly(double M, double e);
 
-/// (2.28) The ellipse of semi-major axis a [m] and eccentricity e about GM = mu
-/// [m³/s²], in the plane z = 0, t seconds after the pericentre at (a (1 - e), 0, 0).
+/// (2.28) The ellipse about GM = mu [m³/s²] with semi-major axis a [m] and eccentricity
+/// e, in the plane z = 0, t seconds after the pericentre at (a (1 - e), 0, 0).
 Motion orbit(double mu, double a, double e, double t);
 
 /// What an orbit keeps, from where a body is and how fast [m, m/s].

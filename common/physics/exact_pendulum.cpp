@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace timestep::exact {
@@ -35,7 +36,9 @@ double carlson_rf(double x, double y, double z) {
 struct Elliptic {
   double m, m1;
 
-  double K() const { return carlson_rf(0, m1, 1); }
+  double K() const {
+    return m1 == 0 ? std::numeric_limits<double>::infinity() : carlson_rf(0, m1, 1);
+  }
 
   // F(phi): the integral of the first kind for every phi
   double F(double phi) const {
@@ -51,18 +54,23 @@ struct Elliptic {
   double am(double w) const {
     if (m1 == 0) return std::atan(std::sinh(w));
     const double turns = std::round(w / (4 * K()));
-    std::array<double, 16> a{}, c{};
+    std::array<double, 16> a{}, b{}, c{};
     a[0] = 1;
-    double b = std::sqrt(m1);
+    b[0] = std::sqrt(m1);
     std::size_t n = 0;
-    while (std::abs(a[n] - b) > 1e-16 * a[n] && n + 1 < a.size()) {
-      c[n + 1] = (a[n] - b) / 2;
-      a[n + 1] = (a[n] + b) / 2;
-      b = std::sqrt(a[n] * b);
+    while (std::abs(a[n] - b[n]) > 1e-16 * a[n] && n + 1 < a.size()) {
+      c[n + 1] = (a[n] - b[n]) / 2;
+      a[n + 1] = (a[n] + b[n]) / 2;
+      b[n + 1] = std::sqrt(a[n] * b[n]);
       ++n;
     }
     double phi = std::ldexp(a[n] * (w - 4 * K() * turns), static_cast<int>(n));
-    for (; n > 0; --n) phi = (phi + std::asin(c[n] / a[n] * std::sin(phi))) / 2;
+
+    // The angle whose sine is c/a sin phi; its cosine too, as a² = b² + c²
+    for (; n > 0; --n) {
+      const double s = std::sin(phi);
+      phi = (phi + std::atan2(c[n] * s, std::hypot(a[n] * std::cos(phi), b[n] * s))) / 2;
+    }
     return phi + 2 * pi * turns;
   }
 };
@@ -85,32 +93,66 @@ struct Swing {
   }
 };
 
+// Jacobi's functions of one argument: sn, cn of the amplitude, and dn² = 1 - m sn²
+struct Jacobi {
+  double sn, cn, dn;
+};
+
+Jacobi jacobi(const Elliptic& elliptic, double w) {
+  // Half turns apart, which change signs alone
+  const double K = elliptic.K();
+  const double half_turns = std::round(w / (2 * K));
+  const double rest = half_turns == 0 ? w : w - 2 * K * half_turns;
+  const double sign = std::remainder(half_turns, 2) == 0 ? 1 : -1;
+  const bool far = std::abs(rest) > K / 2;
+
+  // Beyond K/2, where cn and dn are small, by those of K - w
+  const double phi = elliptic.am(far ? K - std::abs(rest) : rest);
+  const double s = std::sin(phi);
+  const double c = std::cos(phi);
+  const double d = std::sqrt(c * c + elliptic.m1 * s * s);
+  if (!far) return {sign * s, sign * c, d};
+  const double k1 = std::sqrt(elliptic.m1);
+  return {sign * std::copysign(c / d, rest), sign * k1 * s / d, k1 / d};
+}
+
+// Those of the sum of two arguments. A pendulum that starts close to the top keeps all
+// digits of how close: an amplitude could not hold them.
+Jacobi sum(const Jacobi& a, const Jacobi& b, double m) {
+  const double d = a.cn * a.cn + a.sn * a.sn * b.dn * b.dn;
+  return {(a.sn * b.cn * b.dn + b.sn * a.cn * a.dn) / d,
+          (a.cn * b.cn - a.sn * b.sn * a.dn * b.dn) / d,
+          (a.dn * b.dn - m * a.sn * a.cn * b.sn * b.cn) / d};
+}
+
 }  // namespace
 
 Coordinate pendulum(const Coordinate& start, double omega0, double t) {
   const Swing swing(start, omega0);
   const auto& [turns, half_angle, rate, k2, rest] = swing;
   const double k = std::sqrt(k2);
+  const double s = std::sin(half_angle);
+  const double c = std::cos(half_angle);
   if (k2 == 0) return start;
 
-  // (2.29) Swinging: sin(x / 2) = k sin phi, v = 2 k omega0 cos phi
+  // (2.29) Swinging: sin(x / 2) = k sn, v = 2 k omega0 cn
   if (rest > 0) {
-    const Elliptic elliptic{k2, rest};
-    const double phi0 = std::atan2(std::sin(half_angle), rate);
-    const double phi = elliptic.am(elliptic.F(phi0) + omega0 * t);
-    const double s = k * std::sin(phi);
-    const double c = std::sqrt(rest + k2 * std::cos(phi) * std::cos(phi));
-    return {2 * (std::atan2(s, c) + pi * turns), 2 * k * omega0 * std::cos(phi)};
+    const Jacobi way = jacobi({k2, rest}, omega0 * t);
+    const Jacobi now = sum({s / k, rate / k, c}, way, k2);
+    return {2 * (std::atan2(k * now.sn, now.dn) + pi * turns), 2 * k * omega0 * now.cn};
   }
 
-  // Turning over, or just reaching the top: x / 2 itself is an amplitude
+  // Turning over, or just reaching the top: x / 2 itself is the amplitude, which tells
+  // the whole turns
   const Elliptic elliptic{1 / k2, -rest / k2};
-  const double way = std::copysign(1.0, rate);
-  const double phi = elliptic.am(elliptic.F(way * half_angle) + k * omega0 * t);
-  const double s = std::sin(phi);
-  const double c = std::cos(phi);
-  return {2 * (way * phi + pi * turns),
-          way * 2 * k * omega0 * std::sqrt(c * c + elliptic.m1 * s * s)};
+  const double sign = std::copysign(1.0, rate);
+  const double w = k * omega0 * t;
+  const Jacobi now =
+      sum({sign * s, c, std::abs(rate) / k}, jacobi(elliptic, w), elliptic.m);
+  const double angle = std::atan2(now.sn, now.cn);
+  const double rough = elliptic.am(elliptic.F(sign * half_angle) + w);
+  const double whole = 2 * pi * std::round((rough - angle) / (2 * pi));
+  return {2 * (sign * (angle + whole) + pi * turns), sign * 2 * k * omega0 * now.dn};
 }
 
 double pendulum_period(const Coordinate& start, double omega0) {

@@ -19,8 +19,8 @@ Real largest(const Vector& r) {
   return most;
 }
 
-// Solves A y = r by Gauss, rows exchanged so that the pivot is the largest; y in r.
-void solve(std::vector<Vector>& A, Vector& r) {
+// Solves A y = r by Gauss, rows exchanged so that the pivot is the largest.
+Vector solution(std::vector<Vector> A, Vector r) {
   const std::size_t d = r.size();
   for (std::size_t i = 0; i < d; ++i) {
     std::size_t pivot = i;
@@ -38,6 +38,7 @@ void solve(std::vector<Vector>& A, Vector& r) {
     for (std::size_t k = i + 1; k < d; ++k) r[i] -= A[i][k] * r[k];
     r[i] /= A[i][i];
   }
+  return r;
 }
 
 // The end of a step as the root of one equation for its velocity w:
@@ -61,11 +62,13 @@ struct End {
   }
 
   // -dg/dw, a column from a difference in each component of w. The step is a share of
-  // the largest: sqrt(u) balances rounding against curvature.
+  // the largest term: sqrt(u) balances rounding against curvature. It must also move
+  // the place by many times what that rounds.
   std::vector<Vector> slope(const Vector& w, const Vector& g_w) const {
     const std::size_t d = w.size();
-    const Real scale = std::max({largest(w), largest(g_w), std::sqrt(u)});
-    const Real step = std::sqrt(u) * scale;
+    Real step =
+        std::sqrt(u) * std::max({largest(w), largest(v), largest(g_w), std::sqrt(u)});
+    if (drift != 0) step = std::max(step, 64 * u * largest(x) / std::abs(drift));
     std::vector<Vector> A(d, Vector(d));
     Vector moved = w;
     for (std::size_t j = 0; j < d; ++j) {
@@ -79,23 +82,50 @@ struct End {
   }
 };
 
-// Newton's method, until the corrections are rounding alone or stop shrinking
+Vector moved(Vector w, Real share, const Vector& correction) {
+  for (std::size_t i = 0; i < w.size(); ++i) w[i] += share * correction[i];
+  return w;
+}
+
+// A guess at the velocity, and what is left of the equation with it
+struct Guess {
+  Vector w, g;
+};
+
+// Takes the correction, or as large a share of it as makes the next one smaller
+// (P. Deuflhard, Newton Methods for Nonlinear Problems, 2011, section 3.3)
+Guess improved(const End& end, const std::vector<Vector>& A, const Vector& correction,
+               const Vector& w) {
+  Guess next;
+  for (Real share = 1; share > Real(1e-3); share /= 2) {
+    next.w = moved(w, share, correction);
+    next.g = end.g(next.w);
+    if (largest(solution(A, next.g)) < largest(correction)) break;
+  }
+  return next;
+}
+
+// Newton's method, until the corrections are rounding alone: as small as that of the
+// velocities, or small and no longer shrinking, since force and place round as well
 Vector velocity_at(const End& end) {
-  constexpr int k_most = 30;
-  Vector w = end.v;
+  constexpr int k_most = 60;
+  const Real place = end.drift > 0 ? largest(end.x) / end.drift : 0;
+  Guess now{end.v, end.g(end.v)};
   Real last = std::numeric_limits<Real>::infinity();
   for (int i = 0; i < k_most; ++i) {
-    Vector correction = end.g(w);
-    std::vector<Vector> A = end.slope(w, correction);
-    solve(A, correction);
-    for (std::size_t j = 0; j < w.size(); ++j) w[j] += correction[j];
-    const Real now = largest(correction);
-    if (now <= 2 * u * largest(w) || (now >= last && now <= 64 * u * largest(w)))
-      return w;
-    last = now;
+    const std::vector<Vector> A = end.slope(now.w, now.g);
+    const Vector correction = solution(A, now.g);
+
+    const Real size = largest(correction);
+    const Real scale = std::max({largest(end.v), largest(now.w), size});
+    const Real smallest = 2 * u * scale + std::numeric_limits<Real>::min();
+    const Real small = std::sqrt(u) * scale + 64 * u * place;
+    if (size <= smallest || (size > last / 2 && size <= small))
+      return moved(now.w, 1, correction);
+    now = improved(end, A, correction, now.w);
+    last = size;
   }
-  std::ranges::fill(w, std::numeric_limits<Real>::quiet_NaN());
-  return w;
+  return Vector(end.v.size(), std::numeric_limits<Real>::quiet_NaN());
 }
 
 }  // namespace

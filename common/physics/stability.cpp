@@ -52,29 +52,39 @@ StepMatrix step_matrix(const Scheme& scheme, Real z) {
 
 double spectral_radius(const StepMatrix& m) {
   const double half_trace = (m.xx + m.vv) / 2;
-  const std::complex<double> root =
-      std::sqrt(std::complex<double>(half_trace * half_trace - determinant(m)));
+  const double apart = (m.xx - m.vv) / 2;
+  const double discriminant = apart * apart + m.xv * m.vx;
+
+  // Eigenvalues closer than rounding can tell are one: a root would make much of it
+  constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
+  const double rounding =
+      4 * u * (std::abs(apart * (m.xx - m.vv)) + std::abs(m.xv * m.vx));
+  if (std::abs(discriminant) <= rounding) return std::abs(half_trace);
+  const std::complex<double> root = std::sqrt(std::complex<double>(discriminant));
   return std::max(std::abs(half_trace + root), std::abs(half_trace - root));
 }
 
 double stability_limit(const Scheme& scheme) {
   const bool area = keeps_areas(scheme);
-  const auto stable = [&](double z) {
+  const auto growth = [&](double z) {
     const StepMatrix m = step_matrix(scheme, Real(z));
-    return area ? std::abs(m.xx + m.vv) <= 2 : spectral_radius(m) <= 1;
+    return area ? std::abs(m.xx + m.vv) - 2 : spectral_radius(m) - 1;
   };
+  constexpr double k_rounding = 8 * std::numeric_limits<Real>::epsilon();
   constexpr double k_step = 1.0 / 32;
   constexpr double k_far = 100;
 
+  // What grows at every z grows at 1/4 by far more than rounding could
+  double below = 0.25;
+  if (growth(below) > k_rounding) return 0;
+
   // Walk up to the first z that grows, then close in on the limit
-  double below = 0;
-  while (below < k_far && stable(below + k_step)) below += k_step;
-  if (below == 0) return 0;
+  while (below < k_far && growth(below + k_step) <= k_rounding) below += k_step;
   if (below >= k_far) return std::numeric_limits<double>::infinity();
   double above = below + k_step;
   for (int i = 0; i < 60; ++i) {
     const double middle = (below + above) / 2;
-    (stable(middle) ? below : above) = middle;
+    (growth(middle) <= 0 ? below : above) = middle;
   }
   return below;
 }
@@ -86,13 +96,18 @@ ModifiedEnergy modified_energy(const StepMatrix& m, double z) {
 EnergyRange energy_range(const ModifiedEnergy& h) {
   const double mean = h.xx + h.vv;
   const double spread = std::hypot(h.xx - h.vv, h.xv);
-  return {1 / (mean + spread), 1 / (mean - spread)};
+
+  // mean - spread without cancellation
+  const double least = (4 * h.xx * h.vv - h.xv * h.xv) / (mean + spread);
+  return {1 / (mean + spread), 1 / least};
 }
 
 double frequency_ratio(const StepMatrix& m, double z) {
-  // asin of half the angle is accurate where acos of the angle is not
-  const double s2 = (2 - (m.xx + m.vv)) / 4;
-  return 2 * std::asin(std::sqrt(s2)) / z;
+  // A step turns by the angle whose cosine is half the trace; its sine tells more of a
+  // small one
+  const double apart = (m.xx - m.vv) / 2;
+  const double sine = std::sqrt(-m.xv * m.vx - apart * apart);
+  return std::atan2(sine, (m.xx + m.vv) / 2) / z;
 }
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

@@ -22,7 +22,7 @@ StepMatrix step_matrix(const Scheme& scheme, Real z);
 double spectral_radius(const StepMatrix& m);
 
 /// (2.34) The largest z such that the scheme does not blow up below it; 0 if it grows
-/// at every z, infinity if it never does (up to z = 100).
+/// at every z (and so at 1/4), infinity if it never does (up to z = 100).
 double stability_limit(const Scheme& scheme);
 
 /// (2.35) xx x² + xv x v/omega + vv (v/omega)², in units of the stiffness: what the

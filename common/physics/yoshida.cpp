@@ -6,10 +6,10 @@ namespace timestep::inline TIMESTEP_PRECISION {
 namespace {
 
 // 1 / (2 - 2^(1/3)); the errors of third order cancel in 2 w1³ + (1 - 2 w1)³ = 0
-constexpr Real w1 = Real(1.3512071919596577);
-constexpr Real w0 = Real(-1.7024143839193153);
+constexpr Real w1 = Real(1.3512071919596576341);
+constexpr Real w0 = 1 - 2 * w1;
 
-// (2.16) Three steps of lengths w1, w0, w1, which sum up to one
+// (2.16) Three steps of lengths w1, w0, w1, which sum up to one: also when rounded
 void triple_jump(Integrator step, State& state, const Acceleration& acceleration,
                  Real t, Real dt) {
   step(state, acceleration, t, w1 * dt);
