@@ -7,5 +7,6 @@
 set(timestep_manifest
   "01-particles: precision real integrator euler particle forces rounding exact"
   "02-verlet: scheme verlet runge_kutta implicit yoshida verlet_drag schemes
-    dormand_prince systems distance_constraint stability exact_orbit exact_pendulum"
+    dormand_prince systems distance_constraint stability swarm exact_orbit
+    exact_pendulum"
 )

@@ -43,8 +43,12 @@ class Job:
     @property
     def command(self) -> list[str]:
         return [relative(self.program), "--offscreen", "--scene", self.scene["name"],
-                *tour_options(self.program.name, self.scene["name"]),
+                *tour_options(self.program.name, self.scene["name"]), *MOVIE,
                 "--out", relative(self.folder)]
+
+
+# Movies as large as the page shows them: without a graphics card they take the time
+MOVIE = ("--size", "960x540", "--fps", "20")
 
 
 def relative(path: Path) -> str:

@@ -68,7 +68,8 @@ class SetupTest(Script):
         for words in ((), ("help",), ("--help",)):
             code, said = self.timestep(*words)
             self.assertEqual(code, 0)
-            for command in ("tour", "test", "exercise", "book", "format", "setup"):
+            for command in ("tour", "test", "exercise", "book", "bench", "format",
+                            "setup"):
                 self.assertIn(f"\n  {command} ", said)
 
     def test_unknown_command_names_the_nearest(self) -> None:
@@ -125,6 +126,17 @@ class SetupTest(Script):
         self.assertEqual(code, 2)
         self.assertRegex(said, r"^timestep: [^\n]* sudo apt-get install clang-tidy\n$")
         self.assertEqual(self.timestep("setup", "developer"), (0, ""))
+
+    def test_packages_of_bench_are_set_up_only_when_asked_for(self) -> None:
+        self.system("apt")
+        lacking = "libbenchmark-dev libgsl-dev"
+        self.assertEqual(self.timestep("setup", lacking=lacking), (0, ""))
+        code, said = self.timestep("setup", "bench", lacking=lacking)
+        self.assertEqual(code, 2)
+        self.assertRegex(said, r"^timestep: [^\n]* apt-get install libbenchmark-dev\n$")
+        code, said = self.timestep("setup", "bench", lacking="libgsl-dev")
+        self.assertEqual(code, 0)
+        self.assertRegex(said, r"^Optional [^\n]+: sudo apt-get install libgsl-dev\n$")
 
     def test_missing_optional_packages_are_said_and_passed_over(self) -> None:
         self.system("apt")

@@ -191,6 +191,22 @@ class WeaveTest(unittest.TestCase):
         self.assertNotIn("abacus", measured)
         self.assertEqual(self.complaint(text.replace("7.5", "fast"), "--check")[0], 1)
 
+    def test_published_measurements_are_quoted_and_never_taken(self) -> None:
+        self.write("bench/results.json", json.dumps({"machine": "an abacus", "medians": {
+            "kepler/rk4/whole": {"ns": 60.0, "energy_error": 1e-8},
+            "kepler/rk4/alone": {"ns": 40.0, "energy_error": 1e-8},
+            "kepler/rk4/GSL": {"ns": 160.0, "energy_error": 2e-8}}}))
+        self.assertEqual(self.inline("measured machine"), "an abacus")
+        self.assertEqual(self.inline("measured kepler/rk4/alone ns .0f"), "40")
+        self.assertEqual(self.inline("measured kepler/rk4/GSL ns .1f "
+                                     "over=kepler/rk4/alone"), "4.0")
+        text = self.woven("<!-- weave: bench kepler --><!-- /weave -->", "--timings")
+        self.assertIn("| `rk4` | 60.0 | 40.0 |", text)
+        for marker in ("bench none", "bench", "measured kepler/rk4/alone",
+                       "measured kepler/rk4/none ns"):
+            self.assertEqual(self.complaint(f"A <!-- weave: {marker} --><!-- /weave -->")[0],
+                             2, marker)
+
     def test_pictures_are_rendered_only_when_asked(self) -> None:
         text = '<!-- weave: picture fall "It falls" --><!-- /weave -->'
         self.assertIn("--pictures", self.complaint(text, "--check")[1])

@@ -179,12 +179,18 @@ Coordinate oscillator(const Coordinate& start, double omega, double gamma, doubl
     s = c * std::sin(nu * t) / nu;
     c *= std::cos(nu * t);
   } else if (delta < 0) {
-    // Overdamped: the slow rate as omega² / (fast rate), so that nothing cancels
+    // Overdamped: close to critical by sinh; else the slow rate as omega² / (fast
+    // rate), so that nothing cancels
     const double beta = std::sqrt(-delta);
-    const double slow = std::exp(-omega * omega / (gamma + beta) * t);
-    const double fast = std::exp(-(gamma + beta) * t);
-    c = (slow + fast) / 2;
-    s = (slow - fast) / (2 * beta);
+    if (beta * t < 1) {
+      s = c * std::sinh(beta * t) / beta;
+      c *= std::cosh(beta * t);
+    } else {
+      const double slow = std::exp(-omega * omega / (gamma + beta) * t);
+      const double fast = std::exp(-(gamma + beta) * t);
+      c = (slow + fast) / 2;
+      s = (slow - fast) / (2 * beta);
+    }
   }
   return {start.x * c + (start.v + gamma * start.x) * s,
           start.v * c - (omega * omega * start.x + gamma * start.v) * s};

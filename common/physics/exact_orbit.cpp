@@ -26,9 +26,11 @@ double distance(double E, double e) {
 
 // E of |M| <= pi: what is left of M once whole turns are taken away
 double within_a_turn(double M, double e) {
+  if (M == 0) return 0;
+
   // (2.27) Newton from a start beyond the root, where it cannot overshoot
-  double E = M == 0 ? 0 : std::copysign(std::numbers::pi, M);
-  for (int i = 0; i < 60 && E != 0; ++i) {
+  double E = std::copysign(std::numbers::pi, M);
+  for (int i = 0; i < 60; ++i) {
     const double change = ((1 - e) * E + e * less_sine(E) - M) / distance(E, e);
     E -= change;
     if (std::abs(change) <= 1e-16 * std::abs(E)) break;

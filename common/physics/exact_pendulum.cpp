@@ -9,17 +9,17 @@
 namespace timestep::exact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double k_pi = std::numbers::pi;
 
 // Carlson's symmetric integral R_F by duplication; its series reaches round-off once
-// the arguments are within a thousandth of each other
+// the arguments are within a thousandth of each other. NaN of NaN.
 double carlson_rf(double x, double y, double z) {
   while (true) {
     const double mean = (x + y + z) / 3;
     const double X = 1 - x / mean;
     const double Y = 1 - y / mean;
     const double Z = -X - Y;
-    if (std::max({std::abs(X), std::abs(Y), std::abs(Z)}) < 1e-3) {
+    if (!(std::max({std::abs(X), std::abs(Y), std::abs(Z)}) >= 1e-3)) {
       const double e2 = X * Y - Z * Z;
       const double e3 = X * Y * Z;
       return (1 - e2 / 10 + e3 / 14 + e2 * e2 / 24 - 3 * e2 * e3 / 44)
@@ -36,24 +36,24 @@ double carlson_rf(double x, double y, double z) {
 struct Elliptic {
   double m, m1;
 
-  double K() const {
+  double quarter() const {
     return m1 == 0 ? std::numeric_limits<double>::infinity() : carlson_rf(0, m1, 1);
   }
 
-  // F(phi): the integral of the first kind for every phi
-  double F(double phi) const {
-    const double half_turns = std::round(phi / pi);
-    const double rest = phi - pi * half_turns;
+  // first_kind(phi): the integral of the first kind for every phi
+  double first_kind(double phi) const {
+    const double half_turns = std::round(phi / k_pi);
+    const double rest = phi - k_pi * half_turns;
     const double s = std::sin(rest);
     const double c = std::cos(rest);
     const double part = s * carlson_rf(c * c, c * c + m1 * s * s, 1);
-    return half_turns == 0 ? part : part + 2 * half_turns * K();
+    return half_turns == 0 ? part : part + 2 * half_turns * quarter();
   }
 
   // am(w), the inverse of F, by descending Landen steps (arithmetic-geometric mean)
   double am(double w) const {
     if (m1 == 0) return std::atan(std::sinh(w));
-    const double turns = std::round(w / (4 * K()));
+    const double turns = std::round(w / (4 * quarter()));
     std::array<double, 16> a{}, b{}, c{};
     a[0] = 1;
     b[0] = std::sqrt(m1);
@@ -64,14 +64,15 @@ struct Elliptic {
       b[n + 1] = std::sqrt(a[n] * b[n]);
       ++n;
     }
-    double phi = std::ldexp(a[n] * (w - 4 * K() * turns), static_cast<int>(n));
+    double phi = std::ldexp(a[n] * (w - 4 * quarter() * turns), static_cast<int>(n));
 
     // The angle whose sine is c/a sin phi; its cosine too, as a² = b² + c²
     for (; n > 0; --n) {
       const double s = std::sin(phi);
-      phi = (phi + std::atan2(c[n] * s, std::hypot(a[n] * std::cos(phi), b[n] * s))) / 2;
+      phi =
+          (phi + std::atan2(c[n] * s, std::hypot(a[n] * std::cos(phi), b[n] * s))) / 2;
     }
-    return phi + 2 * pi * turns;
+    return phi + 2 * k_pi * turns;
   }
 };
 
@@ -83,8 +84,8 @@ struct Swing {
   double k2, rest;                 // rest = 1 - k2, without cancellation
 
   Swing(const Coordinate& start, double omega0)
-      : turns(std::round(start.x / (2 * pi))),
-        half_angle(start.x / 2 - pi * turns),
+      : turns(std::round(start.x / (2 * k_pi))),
+        half_angle(start.x / 2 - k_pi * turns),
         rate(start.v / (2 * omega0)) {
     const double s = std::sin(half_angle);
     const double c = std::cos(half_angle);
@@ -100,7 +101,7 @@ struct Jacobi {
 
 Jacobi jacobi(const Elliptic& elliptic, double w) {
   // Half turns apart, which change signs alone
-  const double K = elliptic.K();
+  const double K = elliptic.quarter();
   const double half_turns = std::round(w / (2 * K));
   const double rest = half_turns == 0 ? w : w - 2 * K * half_turns;
   const double sign = std::remainder(half_turns, 2) == 0 ? 1 : -1;
@@ -139,7 +140,8 @@ Coordinate pendulum(const Coordinate& start, double omega0, double t) {
   if (rest > 0) {
     const Jacobi way = jacobi({k2, rest}, omega0 * t);
     const Jacobi now = sum({s / k, rate / k, c}, way, k2);
-    return {2 * (std::atan2(k * now.sn, now.dn) + pi * turns), 2 * k * omega0 * now.cn};
+    return {2 * (std::atan2(k * now.sn, now.dn) + k_pi * turns),
+            2 * k * omega0 * now.cn};
   }
 
   // Turning over, or just reaching the top: x / 2 itself is the amplitude, which tells
@@ -150,16 +152,16 @@ Coordinate pendulum(const Coordinate& start, double omega0, double t) {
   const Jacobi now =
       sum({sign * s, c, std::abs(rate) / k}, jacobi(elliptic, w), elliptic.m);
   const double angle = std::atan2(now.sn, now.cn);
-  const double rough = elliptic.am(elliptic.F(sign * half_angle) + w);
-  const double whole = 2 * pi * std::round((rough - angle) / (2 * pi));
-  return {2 * (sign * (angle + whole) + pi * turns), sign * 2 * k * omega0 * now.dn};
+  const double rough = elliptic.am(elliptic.first_kind(sign * half_angle) + w);
+  const double whole = 2 * k_pi * std::round((rough - angle) / (2 * k_pi));
+  return {2 * (sign * (angle + whole) + k_pi * turns), sign * 2 * k * omega0 * now.dn};
 }
 
 double pendulum_period(const Coordinate& start, double omega0) {
   const Swing swing(start, omega0);
-  if (swing.rest > 0) return 4 * Elliptic{swing.k2, swing.rest}.K() / omega0;
+  if (swing.rest > 0) return 4 * Elliptic{swing.k2, swing.rest}.quarter() / omega0;
   const double k2 = swing.k2;
-  return 2 * Elliptic{1 / k2, -swing.rest / k2}.K() / (std::sqrt(k2) * omega0);
+  return 2 * Elliptic{1 / k2, -swing.rest / k2}.quarter() / (std::sqrt(k2) * omega0);
 }
 
 TwoBodies spring_between(const TwoBodies& start, double m1, double m2, double k,

@@ -11,7 +11,7 @@ namespace timestep::inline TIMESTEP_PRECISION {
 namespace {
 
 using Vector = std::vector<Real>;
-constexpr Real u = std::numeric_limits<Real>::epsilon() / 2;  // unit round-off
+constexpr Real k_u = std::numeric_limits<Real>::epsilon() / 2;  // unit round-off
 
 Real largest(const Vector& r) {
   Real most = 0;
@@ -66,9 +66,9 @@ struct End {
   // the place by many times what that rounds.
   std::vector<Vector> slope(const Vector& w, const Vector& g_w) const {
     const std::size_t d = w.size();
-    Real step =
-        std::sqrt(u) * std::max({largest(w), largest(v), largest(g_w), std::sqrt(u)});
-    if (drift != 0) step = std::max(step, 64 * u * largest(x) / std::abs(drift));
+    Real step = std::sqrt(k_u)
+                * std::max({largest(w), largest(v), largest(g_w), std::sqrt(k_u)});
+    if (drift != 0) step = std::max(step, 64 * k_u * largest(x) / std::abs(drift));
     std::vector<Vector> A(d, Vector(d));
     Vector moved = w;
     for (std::size_t j = 0; j < d; ++j) {
@@ -97,8 +97,9 @@ struct Guess {
 Guess improved(const End& end, const std::vector<Vector>& A, const Vector& correction,
                const Vector& w) {
   Guess next;
-  for (Real share = 1; share > Real(1e-3); share /= 2) {
-    next.w = moved(w, share, correction);
+  constexpr int k_most = 10;
+  for (int halvings = 0; halvings < k_most; ++halvings) {
+    next.w = moved(w, std::ldexp(Real(1), -halvings), correction);
     next.g = end.g(next.w);
     if (largest(solution(A, next.g)) < largest(correction)) break;
   }
@@ -117,9 +118,10 @@ Vector velocity_at(const End& end) {
     const Vector correction = solution(A, now.g);
 
     const Real size = largest(correction);
+    if (!std::isfinite(size)) break;
     const Real scale = std::max({largest(end.v), largest(now.w), size});
-    const Real smallest = 2 * u * scale + std::numeric_limits<Real>::min();
-    const Real small = std::sqrt(u) * scale + 64 * u * place;
+    const Real smallest = 2 * k_u * scale + std::numeric_limits<Real>::min();
+    const Real small = std::sqrt(k_u) * scale + 64 * k_u * place;
     if (size <= smallest || (size > last / 2 && size <= small))
       return moved(now.w, 1, correction);
     now = improved(end, A, correction, now.w);

@@ -7,11 +7,24 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "common/physics/integrator.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION {
+
+/// Writes the acceleration of a state where it stands, at time t [s]. Methods that call
+/// this are written for any state of x, v and a: for the State of a whole system, and
+/// for one Particle that is on its own (swarm.hpp), which then stays in registers.
+inline void evaluate(auto& state, const auto& acceleration, Real t) {
+  acceleration(std::span<const Real>(state.x), std::span<const Real>(state.v), t,
+               std::span<Real>(state.a));
+}
+
+/// The states that a method needs beside the one that it changes, of the same kind.
+template <typename S>
+using Stages = std::span<std::type_identity_t<S>>;
 
 /// Changes a state, using the room of `stages`, from time t to t + dt [s] (a step) or
 /// at the time t (start and read).

@@ -9,6 +9,8 @@
 namespace timestep::inline TIMESTEP_PRECISION {
 namespace {
 
+constexpr double k_u = std::numeric_limits<Real>::epsilon() / 2;  // unit round-off
+
 // Where a scheme stands on x'' = -x after some steps of length z
 State after(const Scheme& scheme, Real x, Real v, Real z, int steps) {
   const Acceleration spring_of_one = [](auto place, auto, Real, auto a) {
@@ -31,9 +33,8 @@ double determinant(const StepMatrix& m) {
 
 // Such a scheme is judged by its trace: rounding alone would decide about a radius of 1
 bool keeps_areas(const Scheme& scheme) {
-  constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
   return std::ranges::all_of(std::array{Real(0.25), Real(0.5)}, [&](Real z) {
-    return std::abs(determinant(step_matrix(scheme, z)) - 1) < 16 * u;
+    return std::abs(determinant(step_matrix(scheme, z)) - 1) < 16 * k_u;
   });
 }
 
@@ -56,9 +57,9 @@ double spectral_radius(const StepMatrix& m) {
   const double discriminant = apart * apart + m.xv * m.vx;
 
   // Eigenvalues closer than rounding can tell are one: a root would make much of it
-  constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
   const double rounding =
-      4 * u * (std::abs(apart * (m.xx - m.vv)) + std::abs(m.xv * m.vx));
+      4 * k_u
+      * (std::abs(apart) * (std::abs(m.xx) + std::abs(m.vv)) + std::abs(m.xv * m.vx));
   if (std::abs(discriminant) <= rounding) return std::abs(half_trace);
   const std::complex<double> root = std::sqrt(std::complex<double>(discriminant));
   return std::max(std::abs(half_trace + root), std::abs(half_trace - root));
@@ -70,7 +71,7 @@ double stability_limit(const Scheme& scheme) {
     const StepMatrix m = step_matrix(scheme, Real(z));
     return area ? std::abs(m.xx + m.vv) - 2 : spectral_radius(m) - 1;
   };
-  constexpr double k_rounding = 8 * std::numeric_limits<Real>::epsilon();
+  constexpr double k_rounding = 16 * k_u;
   constexpr double k_step = 1.0 / 32;
   constexpr double k_far = 100;
 

@@ -7,16 +7,6 @@ void evaluate(State& state, std::span<State>, const Acceleration& acceleration, 
   acceleration(state.x, state.v, t, state.a);
 }
 
-void semi_implicit_euler_drift_kick(State& state, const Acceleration& acceleration,
-                                    Real t, Real dt) {
-  auto& [x, v, a] = state;
-
-  // (2.1) The old velocity moves the position, the new position gives the acceleration
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] += v[i] * dt;
-  acceleration(x, v, t + dt, a);
-  for (std::size_t i = 0; i < x.size(); ++i) v[i] += a[i] * dt;
-}
-
 void stormer_verlet(State& state, std::span<State> stages,
                     const Acceleration& acceleration, Real t, Real dt) {
   auto& [x, v, a] = state;
@@ -66,32 +56,6 @@ void half_kick(State& state, std::span<State>, const Acceleration& acceleration,
 
   // (2.5) The half step that the velocity is behind
   for (std::size_t i = 0; i < x.size(); ++i) v[i] += a[i] * dt / 2;
-}
-
-void velocity_verlet(State& state, const Acceleration& acceleration, Real t, Real dt) {
-  auto& [x, v, a] = state;
-
-  // (2.6) Half a kick with the acceleration of the last step, a drift
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    v[i] += a[i] * (dt / 2);
-    x[i] += v[i] * dt;
-  }
-
-  // The other half of the kick, with the acceleration at the new place
-  acceleration(x, v, t + dt, a);
-  for (std::size_t i = 0; i < x.size(); ++i) v[i] += a[i] * (dt / 2);
-}
-
-void position_verlet(State& state, const Acceleration& acceleration, Real t, Real dt) {
-  auto& [x, v, a] = state;
-
-  // (2.7) Half a drift, a kick with the acceleration in the middle, half a drift
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] += v[i] * (dt / 2);
-  acceleration(x, v, t + dt / 2, a);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    v[i] += a[i] * dt;
-    x[i] += v[i] * (dt / 2);
-  }
 }
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

@@ -1,13 +1,19 @@
 // Prints the bits that the physics ends with, so that builds can be compared: every
-// method under every force, and the exact motions. Compiled once for each precision.
+// method under every force, the systems, and the exact motions. Compiled once for each
+// precision.
 #include <cstdio>
 #include <cstring>
 
+#include "common/physics/distance_constraint.hpp"
+#include "common/physics/dormand_prince.hpp"
 #include "common/physics/euler.hpp"
-#include "common/physics/exact.hpp"
+#include "common/physics/exact_orbit.hpp"
+#include "common/physics/exact_pendulum.hpp"
 #include "common/physics/forces.hpp"
-#include "common/physics/particle.hpp"
 #include "common/physics/rounding.hpp"
+#include "common/physics/schemes.hpp"
+#include "common/physics/stability.hpp"
+#include "common/physics/systems.hpp"
 
 using namespace timestep;
 
@@ -22,36 +28,92 @@ void print(const char* what, Number value) {
   std::printf("\n");
 }
 
-// A cloud of particles on springs, in gravity and both kinds of drag, for 1,000 steps.
-void print_cloud(const NamedIntegrator& method) {
-  constexpr std::size_t n = 64;
+// A cloud of particles on springs, in gravity and both kinds of drag.
+constexpr std::size_t k_size = 64;
+
+State cloud_start(std::size_t n) {
   State cloud = particles(n);
   for (std::size_t i = 0; i < n; ++i) {
     const auto s = Real(i) / Real(n);
     put(cloud.x, i, {s, 2 - s, s * s});
     put(cloud.v, i, {1 - s, s / 3, Real(0.1) * s});
   }
-  const Acceleration acceleration = [](auto x, auto v, Real t, auto a) {
-    for (std::size_t i = 0; i < x.size() / 3; ++i) {
-      const Real m = 1 + Real(i) / 7;
-      const Vec3 force =
-          weight(m, {0, Real(-9.81), 0}) + spring(m * 30, at(x, i), {t / 10, 0, 0})
-          + linear_drag(Real(0.3), at(v, i)) + quadratic_drag(Real(0.02), at(v, i));
-      put(a, i, newton(force, 1 / m));
-    }
-  };
+  return cloud;
+}
+
+void cloud_forces(std::span<const Real> x, std::span<const Real> v, Real t,
+                  std::span<Real> a) {
+  for (std::size_t i = 0; i < x.size() / 3; ++i) {
+    const Real m = 1 + Real(i) / 7;
+    const Vec3 force =
+        weight(m, {0, Real(-9.81), 0}) + spring(m * 30, at(x, i), {t / 10, 0, 0})
+        + linear_drag(Real(0.3), at(v, i)) + quadratic_drag(Real(0.02), at(v, i));
+    put(a, i, newton(force, 1 / m));
+  }
+}
+
+void print_state(const char* what, const State& state) {
+  for (const Real x : state.x) print(what, x);
+  for (const Real v : state.v) print(what, v);
+}
+
+// 1,000 steps of a method of chapter 1, with the thesis's damping
+void print_cloud(const NamedIntegrator& method) {
+  State cloud = cloud_start(k_size);
   for (int i = 0; i < 1000; ++i) {
-    method.step(cloud, acceleration, Real(i) / 60, Real(1) / 60);
+    method.step(cloud, cloud_forces, Real(i) / 60, Real(1) / 60);
     for (Real& v : cloud.v) v *= damping_factor(Real(0.9), Real(1) / 60);
   }
-  for (const Real x : cloud.x) print(method.name.data(), x);
-  for (const Real v : cloud.v) print(method.name.data(), v);
+  print_state(method.name.data(), cloud);
+}
+
+// 200 steps of a scheme; implicit ones solve for all particles at once, so there are
+// few
+void print_cloud(const Scheme& scheme) {
+  const State start = cloud_start(scheme.evaluations == 0 ? 2 : k_size);
+  Integration cloud = begin(scheme, cloud_forces, start, Real(1) / 60);
+  for (int i = 0; i < 200; ++i) advance(cloud);
+  print_state(scheme.name.data(), read(cloud));
+  print(scheme.name.data(), spectral_radius(step_matrix(scheme, Real(0.7))));
+  print(scheme.name.data(), stability_limit(scheme));
+}
+
+// What chapter 2 simulates beside clouds
+void print_systems() {
+  const DoublePendulum two{1, Real(0.5), Real(1.2), Real(0.7), Real(9.81)};
+  State swing{.x = {2, 1}, .v = {0, 0}, .a = {0, 0}};
+  const Acceleration swinging = [&](auto x, auto v, Real, auto a) {
+    double_pendulum(two, x, v, a);
+  };
+  dormand_prince(swing, swinging, 0, 2, {Real(1e-5), Real(1e-5)});
+  print_state("double pendulum", swing);
+  print("energy", energy(two, swing.x, swing.v));
+
+  State orbit = particles(1);
+  put(orbit.x, 0, {Real(0.5), 0, 0});
+  put(orbit.v, 0, {0, Real(1.7), 0});
+  const Acceleration gravity = [](auto x, auto, Real, auto a) {
+    put(a, 0, gravity_towards_origin(1, at(x, 0)));
+  };
+  Integration round = begin(*find_scheme("rk4"), gravity, orbit, Real(0.02));
+  for (int i = 0; i < 500; ++i) advance(round);
+  print_state("orbit", round.state);
+
+  State rope = cloud_start(8);
+  std::vector<DistanceConstraint> links;
+  for (std::size_t i = 0; i + 1 < 8; ++i) links.push_back({i, i + 1, Real(0.3)});
+  const std::vector<Real> inverse_mass{0, 1, 1, Real(0.5), 1, 2, 1, 3};
+  satisfy(links, inverse_mass, 20, rope.x);
+  print_state("rope", rope);
 }
 
 }  // namespace
 
 int main() {
   for (const NamedIntegrator& method : euler_methods()) print_cloud(method);
+  for (const Scheme& scheme : schemes()) print_cloud(scheme);
+  for (const Scheme& scheme : drag_schemes()) print_cloud(scheme);
+  print_systems();
   print("clock", accumulated_time(Real(1) / 60, 100'000));
   for (int i = 0; i < 50; ++i) {
     const double t = 0.1 * i;
@@ -61,6 +123,8 @@ int main() {
     print("quadratic", m.x.x + m.x.y + m.v.x + m.v.y);
     print("linear", l.x.x + l.x.y + l.v.x + l.v.y);
     print("oscillator", exact::oscillator({1, 2}, 3, 0.1 * i, t).x);
+    print("orbit", exact::orbit(1, 1, 0.7, t).x.x);
+    print("pendulum", exact::pendulum({1, 0.1 * i}, 2, t).x);
   }
   return 0;
 }

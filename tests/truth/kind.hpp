@@ -15,16 +15,6 @@ namespace timestep::truth {
 
 using Json = nlohmann::json;
 
-/// What the engine computed, under the names of the case's `expected`.
-/// `single_tolerance` has, by field, the error that single precision may cause, derived
-/// from the case's conditioning and the unit round-off u = 2^-24; a field that is
-/// missing there is computed in double (or bit-exactly) and keeps the case's own
-/// tolerance.
-struct Computed {
-  Json fields = Json::object();
-  Json single_tolerance = Json::object();
-};
-
 /// Thrown by a kind for a case that the engine does not cover, such as another method.
 struct NotCovered : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -35,9 +25,11 @@ struct OtherPrecision : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A kind of case, and from a case's inputs an object with numbers, or lists of them,
+/// under the names of the case's `expected`.
 struct Kind {
   std::string_view name;
-  Computed (*compute)(const Json& inputs);
+  Json (*compute)(const Json& inputs);
 };
 
 }  // namespace timestep::truth
@@ -46,8 +38,22 @@ struct Kind {
 namespace timestep {
 namespace single_precision {
 std::span<const truth::Kind> truth_kinds_01();
-}
+std::span<const truth::Kind> truth_kinds_02();
+std::span<const truth::Kind> truth_kinds_02_motions();
+}  // namespace single_precision
 namespace double_precision {
 std::span<const truth::Kind> truth_kinds_01();
-}
+std::span<const truth::Kind> truth_kinds_02();
+std::span<const truth::Kind> truth_kinds_02_motions();
+}  // namespace double_precision
 }  // namespace timestep
+
+namespace timestep::truth {
+
+/// By kind, the errors that single precision may cause in a case's fields, in their
+/// shape: derived from the case's conditioning and the unit round-off u = 2^-24. What
+/// is missing there is computed in double (or bit-exactly) and keeps the case's own
+/// tolerance.
+std::span<const Kind> single_tolerances();
+
+}  // namespace timestep::truth

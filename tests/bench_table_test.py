@@ -1,0 +1,86 @@
+"""Tests of bench/bench_table.py on a made-up report of Google Benchmark."""
+from __future__ import annotations
+
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "bench"))
+sys.dont_write_bytecode = True
+import bench_table  # noqa: E402
+
+
+def run(name: str, family: int, **rates: float) -> dict:
+    return {"name": name, "family_index": family, **rates}
+
+
+REPORT = {
+    "context": {"compiler": "GNU 12", "Odeint": "Boost 1_74"},
+    "benchmarks": [
+        run("kepler/rk4/alone", 7, items_per_second=20e6, energy_error=1e-8),
+        run("kepler/rk4/whole", 6, items_per_second=10e6, energy_error=1e-8),
+        run("kepler/runge_kutta4/Odeint", 8, items_per_second=16e6, energy_error=2e-8),
+        run("kepler/runge_kutta4_classic/Odeint", 9, items_per_second=40e6,
+            energy_error=3e-8),
+        run("particles/rk4/whole/double/4096", 1, items_per_second=100e6),
+        run("particles/rk4/swarm/double/4096", 2, items_per_second=200e6, kept=2),
+        run("particles/rk4/swarm/double/4096", 2, items_per_second=900e6, kept=2),
+        run("particles/rk4/swarm/double/4096", 2, items_per_second=400e6, kept=2),
+        run("particles/rk4/by_hand/double/4096", 3, items_per_second=500e6),
+        run("particles/rk4/swarm/double/1000000", 4, items_per_second=100e6,
+            bytes_per_second=30e9, kept=2),
+        run("bandwidth/triad/double/1000000/2", 5, bytes_per_second=40e9),
+        run("particles/explicit_euler/whole/double/4096", 0, items_per_second=300e6),
+    ]}
+
+
+class BenchTableTest(unittest.TestCase):
+    def setUp(self) -> None:
+        self.measured = bench_table.results(REPORT, "an abacus")
+        self.tables = bench_table.Tables(self.measured)
+
+    def row(self, part: str, index: int) -> dict[str, str]:
+        cells = self.tables.rows(part)[index]
+        return {heading: str(cell) for heading, cell in cells.items()}
+
+    def test_medians_of_all_rounds_in_the_order_of_the_program(self) -> None:
+        self.assertEqual(self.measured["machine"], "an abacus")
+        self.assertEqual(self.measured["Odeint"], "Boost 1_74")
+        self.assertNotIn("GSL", self.measured)
+        self.assertEqual(self.measured["medians"]["particles/rk4/swarm/double/4096"],
+                         {"million_per_second": 400, "ns": 2.5, "kept": 2})
+        self.assertEqual(self.tables.methods, ["explicit_euler", "rk4"])
+
+    def test_particles_as_ratios(self) -> None:
+        row = self.row("particles", 1)
+        self.assertEqual(row["method"], "`rk4`")
+        self.assertEqual(row["in cache, whole [10⁶/s]"], "– / 100")
+        self.assertEqual(row["time / by hand"], "– / 1.25")
+        self.assertEqual(row["bandwidth / triad's"], "– / 0.75")
+        self.assertEqual(row["bandwidth / update's"], "–")
+
+    def test_the_faster_of_two_steppers_is_the_peer(self) -> None:
+        row = self.row("kepler", 0)
+        self.assertEqual(row["Odeint"], "`runge_kutta4_classic`")
+        self.assertEqual(row["time / Odeint's"], "2.00")
+        self.assertEqual(row["Odeint's energy error"], "3.0 × 10⁻⁸")
+
+    def test_what_is_not_there_is_a_dash(self) -> None:
+        self.assertEqual(self.row("kepler", 0)["GSL"], "–")
+        self.assertEqual(self.row("particles", 0)["in cache, swarm [10⁶/s]"], "–")
+        self.assertEqual(len(self.tables.rows("kepler")), 1)
+
+    def test_one_table_has_all_columns(self) -> None:
+        text = bench_table.markdown(self.tables.rows("all"))
+        head, rule, *rows = text.splitlines()
+        self.assertEqual(len(rows), 2)
+        self.assertEqual({line.count("|") for line in (head, rule, *rows)},
+                         {len(self.row("all", 0)) + 1})
+        head, _, rk4 = bench_table.comma_separated(self.tables.rows("all")).splitlines()
+        self.assertIn('"time / by hand, single","time / by hand, double"', head)
+        self.assertIn(",,1.25,", rk4)
+        self.assertIn("triad – / 40.0 (– / 30.0 as STREAM", self.tables.bandwidth())
+
+
+if __name__ == "__main__":
+    unittest.main()
