@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import platform
 import re
 import shlex
 import sys
@@ -20,11 +19,12 @@ from pathlib import Path
 
 import figures
 import pictures
+import weave_bench
 import weave_code
 import weave_notation
 import weave_table
 from weave_marker import INLINE, Place, replace_all
-from weave_runs import ROOT, Chapter, Run, WeaveError, look_up, written
+from weave_runs import ROOT, Chapter, Run, WeaveError, look_up, machine, written
 
 
 @dataclass
@@ -139,6 +139,12 @@ class Weaver:
         text = place.file.read_text(encoding="utf-8")
         return weave_notation.table(place.file, text, self.root)
 
+    def bench(self, place: Place) -> str:
+        return weave_bench.table(self.root, place)
+
+    def measured(self, place: Place) -> str:
+        return weave_bench.number(self.root, place)
+
     # --- files ------------------------------------------------------------------------
 
     def say_stale(self, place: Place, why: str) -> None:
@@ -183,15 +189,6 @@ def quietly(call, argument: str) -> None:
         call(argument)
     except WeaveError:
         pass  # told with the file and line of the marker that quotes it
-
-
-def machine() -> str:
-    """The processor that timings were taken on."""
-    info = Path("/proc/cpuinfo")
-    text = info.read_text() if info.is_file() else ""
-    names = re.findall(r"model name\s*: (.*)", text)
-    name = names[0] if names else platform.processor() or platform.machine()
-    return f"{name}, {os.cpu_count()} threads, {platform.system()}"
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -15,6 +15,9 @@ import csv
 import hashlib
 import json
 import math
+import os
+import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -206,6 +209,15 @@ class Chapter:
             self.store.mkdir(parents=True, exist_ok=True)
             kept.write_text(printed, encoding="utf-8")
         return kept.read_text(encoding="utf-8").strip("\n")
+
+
+def machine() -> str:
+    """The processor that timings were taken on."""
+    info = Path("/proc/cpuinfo")
+    text = info.read_text() if info.is_file() else ""
+    names = re.findall(r"model name\s*: (.*)", text)
+    name = names[0] if names else platform.processor() or platform.machine()
+    return f"{name}, {os.cpu_count()} threads, {platform.system()}"
 
 
 NOT_FINITE = {"nan": math.nan, "inf": math.inf, "-inf": -math.inf}

@@ -99,43 +99,49 @@ def front(points):
     return kept
 
 
-def measured(runs, sweep):
-    """Each method's points (evaluations, error); an error of more than an orbit is none."""
+def measured(runs, sweep, price):
+    """Each method's points (cost of an orbit, error, run) in a sweep."""
     points = {}
     for name, run in runs.items():
         if name.split("@")[0] != sweep:
             continue
         for method in run.methods:
-            alone = len(run.methods) == 1
-            cost = run.results["cost"]
-            evaluations = cost["force_evaluations" if alone
-                               else f"{method}/force_evaluations"] / 10
+            key = price if len(run.methods) == 1 else f"{method}/{price}"
             error = run.metric("position_error_max", method)
-            points.setdefault(method, []).append((evaluations, error, run))
+            points.setdefault(method, []).append((run.results["cost"][key] / 10, error, run))
     return points
 
 
+def draw_work(axes, points):
+    """Errors below an orbit as lines, others as marks on the upper edge, and the front."""
+    kept = []
+    for method, three in points.items():
+        usable = [(c, e) for c, e, _ in three if e < 1]
+        kept += usable
+        failed = [(c, 1) for c, e, _ in three if not e < 1]
+        look = three[0][2].look(method)
+        axes.loglog(*zip(*usable) if usable else ([], []), label=method, markersize=4,
+                    **look)
+        axes.plot(*zip(*failed) if failed else ([], []), linestyle="none",
+                  marker=look["marker"], color=look["color"], markersize=3, alpha=0.5)
+    axes.plot(*zip(*front(kept)), color="0.5", linewidth=7, alpha=0.3, zorder=0,
+              label="front")
+    axes.set_ylim(1e-13, 2)
+
+
 def work(runs):
-    """Error against evaluations on an orbit, in double and in single, with the front."""
-    figure, panels = new_figure(1, 2, sharey=True, figsize=(9.6, 5.4))
-    for axes, suffix, title in zip(panels, ("", "-single"), ("double", "single")):
-        points = {**measured(runs, "work" + suffix), **measured(runs, "adaptive" + suffix)}
-        kept = []
-        for method, three in points.items():
-            usable = [(c, e) for c, e, _ in three if e < 1]
-            kept += usable
-            # A method that fails shows where: on the upper edge
-            failed = [(c, 1) for c, e, _ in three if not e < 1]
-            look = three[0][2].look(method)
-            axes.loglog(*zip(*usable) if usable else ([], []), label=method,
-                        markersize=4, **look)
-            axes.plot(*zip(*failed) if failed else ([], []), linestyle="none",
-                      marker=look["marker"], color=look["color"], markersize=3, alpha=0.5)
-        axes.plot(*zip(*front(kept)), color="0.5", linewidth=7, alpha=0.3, zorder=0,
-                  label="front")
-        axes.set_title(title)
-        axes.set_xlabel("evaluations of the force an orbit")
-        axes.set_ylim(1e-13, 2)
-    panels[0].set_ylabel("largest error in ten orbits, in semi-major axes")
-    panels[1].legend(fontsize=8, loc="lower left")
+    """Error on an orbit against evaluations and against time, in double and in single."""
+    figure, panels = new_figure(2, 2, sharey=True, figsize=(9.6, 9.6))
+    prices = (("force_evaluations", 1, "evaluations of the force an orbit"),
+              ("wall_seconds", 1e6, "time of an orbit [µs]"))
+    for row, (price, scale, label) in zip(panels, prices):
+        for axes, suffix, title in zip(row, ("", "-single"), ("double", "single")):
+            points = {**measured(runs, "work" + suffix, price),
+                      **measured(runs, "adaptive" + suffix, price)}
+            draw_work(axes, {method: [(c * scale, e, run) for c, e, run in three]
+                             for method, three in points.items()})
+            axes.set_title(title)
+            axes.set_xlabel(label)
+        row[0].set_ylabel("largest error in ten orbits, in semi-major axes")
+    panels[0][1].legend(fontsize=8, loc="lower left")
     return figure

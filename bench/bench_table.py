@@ -1,0 +1,180 @@
+"""What the benchmarks measured: as numbers by name, and as tables of ratios.
+
+results() takes the medians out of what Google Benchmark wrote:
+
+    {"machine": …, "compiler": …, "Odeint": …, "GSL": …,
+     "medians": {"particles/rk4/swarm/double/4096": {"ns": …, "million_per_second": …},
+                 "bandwidth/triad/double/1000000/2": {"GB_per_second": …},
+                 "kepler/rk4/alone": {"ns": …, "energy_error": …}}}
+
+bench/results.json is such a file: what `./timestep bench --publish` measured last. The
+text quotes it.
+"""
+from __future__ import annotations
+
+import csv
+import io
+import sys
+from collections import defaultdict
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+sys.path.append(str(Path(__file__).resolve().parent.parent / "docs"))
+from weave_runs import written  # noqa: E402
+
+PUBLISHED = Path(__file__).resolve().parent / "results.json"
+PRECISIONS = ("single", "double")
+UNITS = {"items_per_second": ("million_per_second", 1e-6),
+         "bytes_per_second": ("GB_per_second", 1e-9),
+         "energy_error": ("energy_error", 1), "kept": ("kept", 1)}
+# Who takes the same step, or one of the same order
+PEERS = {
+    "semi_implicit_euler": {"Odeint": ["symplectic_euler"]},
+    "semi_implicit_euler_drift_kick": {"Odeint": ["symplectic_euler"]},
+    "velocity_verlet": {"Odeint": ["velocity_verlet"]},
+    "yoshida4_kdk": {"Odeint": ["symplectic_rkn_sb3a_mclachlan"]},
+    "yoshida4_dkd": {"Odeint": ["symplectic_rkn_sb3a_mclachlan"]},
+    "rk4": {"Odeint": ["runge_kutta4", "runge_kutta4_classic"], "GSL": ["rk4"]},
+    "dopri5": {"Odeint": ["runge_kutta_dopri5"], "GSL": ["rkf45"]},
+}
+
+
+def rounded(value: float) -> float:
+    return float(f"{value:.4g}")
+
+
+def results(report: dict, machine: str) -> dict:
+    values = defaultdict(lambda: defaultdict(list))
+    for run in sorted(report["benchmarks"], key=lambda run: run["family_index"]):
+        for key, (name, scale) in UNITS.items():
+            if key in run:
+                values[run["name"]][name].append(float(run[key]) * scale)
+    medians = {name: {key: rounded(median(each)) for key, each in one.items()}
+               for name, one in values.items()}
+    for one in medians.values():
+        if "million_per_second" in one:
+            one["ns"] = rounded(1e3 / one["million_per_second"])
+    context = {key: report["context"][key] for key in ("compiler", "Odeint", "GSL")
+               if key in report["context"]}
+    return {"machine": machine, **context, "medians": medians}
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One number, or one for each precision. What was not measured is None."""
+
+    values: tuple[float | str | None, ...]
+    spec: str
+
+    def __str__(self) -> str:
+        texts = [f"`{value}`" if isinstance(value, str) else written(value, self.spec)
+                 for value in self.values]
+        return "–" if set(texts) == {"–"} else " / ".join(texts)
+
+
+class Tables:
+    """The tables of one measurement: rows of cells by their heading."""
+
+    def __init__(self, measured: dict) -> None:
+        self.medians = measured["medians"]
+        names = [name.split("/") for name in self.medians]
+        self.methods = list(dict.fromkeys(n[1] for n in names if "whole" in n))
+
+    def value(self, name: str, key: str) -> float | None:
+        return self.medians.get(name, {}).get(key)
+
+    def ratio(self, a: str, b: str, key: str) -> float | None:
+        above, below = self.value(a, key), self.value(b, key)
+        return above / below if above and below else None
+
+    def speed(self, method: str, form: str, count: int) -> Cell:
+        names = [f"particles/{method}/{form}/{p}/{count}" for p in PRECISIONS]
+        return Cell(tuple(self.value(n, "million_per_second") for n in names), ",.4g")
+
+    def over_by_hand(self, method: str) -> Cell:
+        swarm, by_hand = ([f"particles/{method}/{form}/{p}/4096" for p in PRECISIONS]
+                          for form in ("swarm", "by_hand"))
+        return Cell(tuple(self.ratio(*names, "ns") for names in zip(swarm, by_hand)),
+                    ".2f")
+
+    def over_bandwidth(self, method: str, kernel: str) -> Cell:
+        """What a swarm moves, over what the memory gives for as many numbers."""
+        def share(precision: str) -> float | None:
+            swarm = f"particles/{method}/swarm/{precision}/1000000"
+            kept = self.value(swarm, "kept") or 0
+            given = f"bandwidth/{kernel}/{precision}/1000000/{kept:.0f}"
+            return self.ratio(swarm, given, "GB_per_second")
+
+        return Cell(tuple(map(share, PRECISIONS)), ".2f")
+
+    def particles(self, method: str) -> dict[str, Cell]:
+        at_least = 1 if f"particles/{method}/whole/double/1" in self.medians else 4096
+        return {
+            "in cache, whole [10⁶/s]": self.speed(method, "whole", at_least),
+            "in cache, swarm [10⁶/s]": self.speed(method, "swarm", 4096),
+            "time / by hand": self.over_by_hand(method),
+            "in memory, whole [10⁶/s]": self.speed(method, "whole", 1000000),
+            "in memory, swarm [10⁶/s]": self.speed(method, "swarm", 1000000),
+            "bandwidth / triad's": self.over_bandwidth(method, "triad"),
+            "bandwidth / update's": self.over_bandwidth(method, "update")}
+
+    def kepler(self, method: str) -> dict[str, Cell]:
+        whole, alone = f"kepler/{method}/whole", f"kepler/{method}/alone"
+        row = {"Kepler, whole [ns]": Cell((self.value(whole, "ns"),), ",.1f"),
+               "Kepler, alone [ns]": Cell((self.value(alone, "ns"),), ",.1f"),
+               "energy error": Cell((self.value(whole, "energy_error"),), ".1e")}
+        for library in ("Odeint", "GSL"):
+            peer = self.fastest(library, PEERS.get(method, {}).get(library, []))
+            error = self.value(peer, "energy_error")
+            row |= {library: Cell((peer.split("/")[1] if peer else None,), ""),
+                    f"time / {library}'s": Cell(
+                        (self.ratio(alone, peer, "ns"),), ".2f"),
+                    f"{library}'s energy error": Cell((error,), ".1e")}
+        return row
+
+    def fastest(self, library: str, steppers: list[str]) -> str:
+        names = (f"kepler/{stepper}/{library}" for stepper in steppers)
+        return min((name for name in names if name in self.medians),
+                   key=lambda name: self.value(name, "ns"), default="")
+
+    def rows(self, part: str) -> list[dict[str, Cell]]:
+        """A row a method of "particles", "kepler" or "all", if there is anything."""
+        rows = []
+        for method in self.methods:
+            cells = {} if part == "kepler" else self.particles(method)
+            cells |= {} if part == "particles" else self.kepler(method)
+            if any(str(cell) != "–" for cell in cells.values()):
+                rows.append({"method": Cell((method,), "")} | cells)
+        return rows
+
+    def bandwidth(self) -> str:
+        """A line on what the memory gave, for as many numbers as a swarm's x and v."""
+        def of(kernel: str, share: float = 1) -> Cell:
+            names = [f"bandwidth/{kernel}/{p}/1000000/2" for p in PRECISIONS]
+            given = [self.value(name, "GB_per_second") for name in names]
+            return Cell(tuple(None if g is None else g * share for g in given), ".1f")
+
+        return (f"GB/s in memory: triad {of('triad')} ({of('triad', 3 / 4)} as STREAM "
+                f"counts, which leaves out that a line is read before it is written), "
+                f"update in place {of('update')}.")
+
+
+def markdown(rows: list[dict[str, Cell]]) -> str:
+    lines = [list(rows[0]), ["---"] + ["---:"] * (len(rows[0]) - 1),
+             *(list(map(str, row.values())) for row in rows)]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def comma_separated(rows: list[dict[str, Cell]]) -> str:
+    """A column for each precision, numbers as they are."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    head = []
+    for heading, cell in rows[0].items():
+        both = len(cell.values) == 2
+        head += [f"{heading}, {p}" for p in PRECISIONS] if both else [heading]
+    writer.writerow(head)
+    writer.writerows([value for cell in row.values() for value in cell.values]
+                     for row in rows)
+    return text.getvalue()

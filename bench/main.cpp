@@ -1,0 +1,31 @@
+// Google Benchmark's own command line, over what benchmarks.hpp adds. The file that it
+// writes says which compiler and which libraries were at work.
+#include <benchmark/benchmark.h>
+
+#include "bench/benchmarks.hpp"
+
+#if defined(TIMESTEP_HAS_ODEINT)
+#include <boost/version.hpp>
+#endif
+#if defined(TIMESTEP_HAS_GSL)
+#include <gsl/gsl_version.h>
+#endif
+
+int main(int argc, char** argv) {
+  timestep::single_precision::bench::add_particles();
+  timestep::double_precision::bench::add_particles();
+  timestep::double_precision::bench::add_kepler();
+  benchmark::AddCustomContext("compiler", TIMESTEP_COMPILER);
+#if defined(TIMESTEP_HAS_ODEINT)
+  timestep::double_precision::bench::add_kepler_with_odeint();
+  benchmark::AddCustomContext("Odeint", "Boost " BOOST_LIB_VERSION);
+#endif
+#if defined(TIMESTEP_HAS_GSL)
+  timestep::double_precision::bench::add_kepler_with_gsl();
+  benchmark::AddCustomContext("GSL", GSL_VERSION);
+#endif
+
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,116 @@
+"""Measures everything in several rounds and writes tables of ratios into out/bench.
+
+bench.json is as Google Benchmark has it, results.json has the medians, table.md and
+table.csv the ratios. Called by `./timestep bench` after the build. A round measures all
+once, in an order of its own, so that what slows the machine down for a while slows
+everything down alike.
+"""
+from __future__ import annotations
+
+import argparse
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+import bench_table  # noqa: E402  (it finds docs)
+from weave_runs import machine  # noqa: E402
+
+# Leapfrog and the naive start take the steps of other methods
+SKIPPED = "--benchmark_filter=-leapfrog|naive_start"
+ROOT = Path(__file__).resolve().parent.parent
+
+LEGEND = """\
+{machine}, {compiler}. {bandwidth}
+
+Pairs are single / double precision. Particles are oscillators, 10⁶ of their steps a
+second: 4,096 in cache, 1,000,000 in memory; implicit methods get one. *whole*: a
+method on whole arrays, with any acceleration; *swarm* and *alone*: the same lines,
+compiled for particles that do not feel each other. *by hand*: one vectorised loop of
+the same arithmetic. *bandwidth*: what a swarm must read and write in a second, over a
+triad's and over an update's in place. Kepler: double, a step of one planet. Peers:
+{peers}.
+"""
+
+
+def measure_round(program: Path, options: list[str]) -> dict:
+    """One process that measures everything once; says how far it is."""
+    listed = subprocess.run([program, *options, "--benchmark_list_tests"], check=True,
+                            capture_output=True, text=True).stdout.splitlines()
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "round.json"
+        command = [program, *options, "--benchmark_enable_random_interleaving=true",
+                   "--benchmark_out_format=json", f"--benchmark_out={file}"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True,
+                              stderr=subprocess.PIPE) as run:
+            done = 0
+            for line in run.stdout:
+                fifths = done * 5 // len(listed)
+                done += line.split(" ")[0] in listed
+                if done * 5 // len(listed) > fifths:
+                    print(f" {done / len(listed):.0%}", end="", flush=True)
+            said = run.stderr.read()
+        print()
+        if run.returncode != 0:
+            sys.exit(f"bench: {program.name} failed: {said.strip()}")
+        return json.loads(file.read_text(encoding="utf-8"))
+
+
+def measure(program: Path, rounds: int, options: list[str]) -> dict:
+    """All rounds as one report."""
+    report = {}
+    for number in range(1, rounds + 1):
+        print(f"round {number} of {rounds}:", end="", flush=True)
+        one = measure_round(program, options)
+        if report:
+            report["benchmarks"] += one["benchmarks"]
+        else:
+            report = one
+    return report
+
+
+def write(folder: Path, report: dict) -> str:
+    """All files; returns the table."""
+    measured = bench_table.results(report, machine())
+    tables = bench_table.Tables(measured)
+    peers = ", ".join(f"{library} ({measured[library]})" if library in measured else
+                      f"{library} is not installed" for library in ("Odeint", "GSL"))
+    legend = LEGEND.format(**measured, bandwidth=tables.bandwidth(), peers=peers)
+    files = {"bench.json": json.dumps(report, indent=1) + "\n",
+             "results.json": json.dumps(measured, indent=1) + "\n",
+             "table.csv": bench_table.comma_separated(tables.rows("all")),
+             "table.md": f"{bench_table.markdown(tables.rows('all'))}\n\n{legend}"}
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return files["table.md"]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="./timestep bench",
+                                     description=__doc__.splitlines()[0])
+    parser.add_argument("--quick", action="store_true",
+                        help="only see that everything runs; the numbers mean nothing")
+    parser.add_argument("--publish", action="store_true",
+                        help="keep the medians as bench/results.json, for the text")
+    parser.add_argument("--program", type=Path, help=argparse.SUPPRESS,
+                        default=ROOT / "build/release/bin/bench")
+    parser.add_argument("--out", type=Path, default=ROOT / "out/bench")
+    options = parser.parse_args()
+    if options.quick and options.publish:
+        parser.error("--quick measures nothing that could be published")
+
+    rounds, seconds = (1, 0.0001) if options.quick else (7, 0.02)
+    report = measure(options.program, rounds,
+                     [SKIPPED, f"--benchmark_min_time={seconds}"])
+    print(write(options.out, report))
+    if options.publish:
+        shutil.copy(options.out / "results.json", bench_table.PUBLISHED)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
