@@ -90,7 +90,7 @@ def write(folder: Path, report: dict) -> str:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="./timestep bench",
+    parser = argparse.ArgumentParser(prog="./timestep bench", usage=argparse.SUPPRESS,
                                      description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true",
                         help="only see that everything runs; the numbers mean nothing")

@@ -161,7 +161,8 @@ def summary(jobs: list[Job], page: Path, seconds: float) -> str:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(prog="./timestep tour", usage=argparse.SUPPRESS,
+                                     description=__doc__.splitlines()[0])
     parser.add_argument("--bin", type=Path, default=ROOT / "build/release/bin",
                         help="folder of the chapters' executables")
     parser.add_argument("--out", type=Path, default=ROOT / "out")

@@ -153,8 +153,8 @@ std::vector<Metric> DoublePendulumRun::metrics() const {
       {"energy_error_max", "", largest_energy_error_},
       {"theta1", "rad", p.theta[0]},
       {"theta2", "rad", p.theta[1]},
-      {"theta1_exact", "rad", reference_.theta[0]},
-      {"theta2_exact", "rad", reference_.theta[1]},
+      {"theta1_reference", "rad", reference_.theta[0]},
+      {"theta2_reference", "rad", reference_.theta[1]},
       {"reference_uncertainty", "m", distance(reference_, looser_)},
   };
 }

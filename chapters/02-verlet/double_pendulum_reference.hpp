@@ -18,7 +18,7 @@ struct ReferencePendulum {
 };
 
 /// Moves it on by dt [s]; `tolerance`: of a step, relative and absolute. Angles and
-/// rates become NaN where this would take more than 200,000 evaluations.
+/// rates become NaN where this would take more than 30,000 steps.
 void advance(ReferencePendulum& pendulum, double dt, double tolerance);
 
 /// Kinetic and potential energy [J] above those of hanging at rest.

@@ -63,8 +63,7 @@ def evaluations() -> str:
     for steps in (n for n in ladder if n <= MOST):
         open_methods = [m for m in methods if None in found[m]]
         results = run("--scene", "orbit", "--method", ",".join(open_methods),
-                      "--set", "tolerance=1e-9", "--dt", repr(TURN / steps),
-                      "--duration", repr(10 * TURN))
+                      "--dt", repr(TURN / steps), "--duration", repr(10 * TURN))
         alone = len(open_methods) == 1
         for method in open_methods:
             error = float(results["metrics"][

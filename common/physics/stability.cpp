@@ -104,8 +104,8 @@ EnergyRange energy_range(const ModifiedEnergy& h) {
 }
 
 double frequency_ratio(const StepMatrix& m, double z) {
-  // A step turns by the angle whose cosine is half the trace; its sine tells more of a
-  // small one
+  // (2.37) A step turns by the angle whose cosine is half the trace; its sine tells
+  // more of a small one
   const double apart = (m.xx - m.vv) / 2;
   const double sine = std::sqrt(-m.xv * m.vx - apart * apart);
   return std::atan2(sine, (m.xx + m.vv) / 2) / z;
