@@ -3,8 +3,9 @@
 Each row of chapters/NN-name/extremes.json is one run in both precisions: its `args`,
 the `metric` that judges it, and two limits: up to `accurate` the run counts as accurate,
 up to `bounded` as bounded (wrong, but within sight), beyond as exploded. A run whose
-numbers cease to be finite must say so itself: "overflows". `expect` has the verdicts
-that are published; any other verdict is one line on standard error and exit code 1.
+numbers cease to be finite must say so itself: "overflows", and so must a method that
+finds no next step: "stops". `expect` has the verdicts that are published; any other
+verdict is one line on standard error and exit code 1.
 """
 from __future__ import annotations
 
@@ -39,7 +40,9 @@ def measure(program: Path, row: dict, precision: str) -> Outcome:
 
     results = json.loads(done.stdout)
     if "failed" in results:
-        return Outcome("overflows", f"step {results['failed']['step']}")
+        failed = results["failed"]
+        verdict = "stops" if "no solution" in failed["what"] else "overflows"
+        return Outcome(verdict, f"step {failed['step']}")
     metric = results["metrics"][row["metric"]]
     size = abs(float(metric["value"]))
     verdict = ("accurate" if size <= row["accurate"] else

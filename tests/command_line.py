@@ -153,8 +153,8 @@ class Listing(CommandLine):
     def test_help_names_every_option(self):
         text = self.good("--help").stdout
         options = ("--window --offscreen --headless --list --json --scene --method "
-                   "--precision --dt --duration --preset --set --mesh --out --results "
-                   "--frames --no-movie --size --fps --window-frames --version")
+                   "--precision --dt --duration --preset --set --mesh --fix-winding --out "
+                   "--results --frames --no-movie --size --fps --window-frames --version")
         for option in options.split():
             self.assertIn(option, text)
         self.assertEqual(self.good("-h").stdout, text)
@@ -172,8 +172,9 @@ class Headless(CommandLine):
     def test_results_are_complete(self):
         result = self.results(*self.short())
         self.assertEqual(list(result), [
-            "chapter", "scene", "method", "precision", "preset", "mesh", "dt",
-            "duration", "steps", "time", "parameters", "state", "metrics", "cost"])
+            "chapter", "scene", "method", "precision", "preset", "mesh", "fix_winding",
+            "dt", "duration", "steps", "time", "parameters", "state", "metrics",
+            "cost"])
         self.assertEqual(result["chapter"], self.name)
         self.assertEqual(result["steps"], 12)
         self.assertEqual(result["precision"], "double")
@@ -336,6 +337,16 @@ class Extremes(CommandLine):
             self.skipTest("this build has no assimp")
         done = self.good(*run, "mesh", "--mesh", "t.obj")
         self.assertEqual(json.loads(done.stdout)["mesh"], "t.obj")
+
+        # What was done to it is said once, however many methods run
+        done = self.good(*run, "mesh", "--mesh", "t.obj", "--fix-winding", "--method",
+                         "all")
+        self.assertEqual(done.stderr, f"{self.name}: the mesh is turned\n")
+        result = json.loads(done.stdout)
+        self.assertEqual(result["fix_winding"], True)
+        self.assertEqual(result["notices"], ["the mesh is turned"])
+        self.bad(*run, "fall", "--fix-winding", says="takes no solid mesh")
+        self.bad(*run, "mesh", "--fix-winding", says="no --mesh to turn")
 
         # Over this one assimp crashes
         (self.folder / "deep.gltf").write_text("[" * 1000000)

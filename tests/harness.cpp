@@ -28,11 +28,16 @@ namespace {
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
-/// A simulation whose only number is given, and turns to NaN after some step.
+/// A simulation whose only number is given, and turns to NaN after some step; or that
+/// refuses the step after it.
 class Countdown : public Simulation {
  public:
-  explicit Countdown(int good_steps) : good_steps_(good_steps) {}
-  void step() override { ++steps_; }
+  Countdown(int good_steps, bool refuses)
+      : good_steps_(good_steps), refuses_(refuses) {}
+  void step() override {
+    if (refuses_ && steps_ == good_steps_) throw StepFailure("no way on");
+    ++steps_;
+  }
   std::vector<BodyState> bodies() const override {
     const double x = steps_ > good_steps_ ? k_nan : 0.1 * steps_;
     return {{.name = "a,b", .position = {x, -0.0, 1e-310}, .velocity = {1, 2, 3}}};
@@ -44,16 +49,18 @@ class Countdown : public Simulation {
 
  private:
   int good_steps_ = 0, steps_ = 0;
+  bool refuses_ = false;
 };
 
 Chapter countdown_chapter(int good_steps) {
   const auto start = [=](const Setup& setup) {
-    return std::make_unique<Countdown>(setup.method == "doomed" ? good_steps : 1 << 30);
+    return std::make_unique<Countdown>(setup.method == "safe" ? 1 << 30 : good_steps,
+                                       setup.method == "refusing");
   };
   const Scene scene{
       .name = "count",
       .summary = "",
-      .methods = {{"safe", "", {}}, {"doomed", "", {}}},
+      .methods = {{"safe", "", {}}, {"doomed", "", {}}, {"refusing", "", {}}},
       .default_methods = {"safe", "doomed"},
       .parameters = {{"n", "", "", 3, 0, 9, true}, {"x", "m", "", 0.1, 0, 1}},
       .dt = 0.001,
@@ -269,6 +276,21 @@ TEST_CASE("results.json reads back to the same bits and names what is not finite
   CHECK(json["cost"]["doomed/steps"] == 11);
 }
 
+TEST_CASE("a step that cannot be taken ends its own method, with its words") {
+  const Chapter chapter = countdown_chapter(10);
+  const Plan plan = make_plan(chapter, {.methods = {"refusing", "safe"}});
+  std::vector<Lane> lanes = start_lanes(plan);
+  run_lanes(plan, lanes, {}, [](double) {});
+
+  REQUIRE(lanes[0].failure.has_value());
+  CHECK(lanes[0].failure->step == 11);
+  CHECK(lanes[0].failure->what == "no way on");
+  CHECK(lanes[0].steps == 10);
+  CHECK(lanes[0].metrics.at(0).value == 10);
+  CHECK(lanes[1].steps == 100);
+  CHECK_FALSE(lanes[1].failure.has_value());
+}
+
 TEST_CASE("tables quote names and leave out what failed") {
   const fs::path folder = fresh_folder("tables");
   const Chapter chapter = countdown_chapter(0);
@@ -277,7 +299,7 @@ TEST_CASE("tables quote names and leave out what failed") {
   Tables tables(folder / "t.csv", folder / "h.csv");
   sample_lanes(plan, lanes, 0);
   tables.add(0, lanes);
-  advance_lanes(lanes, 1);
+  advance_lanes(plan, lanes, 1);
   sample_lanes(plan, lanes, 0);
   tables.add(0.001, lanes);
   tables.finish();
@@ -296,7 +318,7 @@ TEST_CASE("the log of metrics stays small and keeps the first sample") {
   std::vector<Lane> lanes = start_lanes(plan);
   MetricLog log;
   for (int i = 0; i < 5000; ++i) {
-    advance_lanes(lanes, i);
+    advance_lanes(plan, lanes, i);
     sample_lanes(plan, lanes, i);
     log.add(i, lanes);
   }

@@ -135,9 +135,16 @@ std::unique_ptr<Simulation> start(const Setup& setup) {
   return std::make_unique<Simulated>(setup);
 }
 
+/// Says what it was asked to do.
+class Turned : public Fall<double> {
+ public:
+  using Fall<double>::Fall;
+  std::vector<std::string> notices() const override { return {"the mesh is turned"}; }
+};
+
 std::unique_ptr<Simulation> start_with_mesh(const Setup& setup) {
   if (!setup.mesh.empty()) load_mesh(setup.mesh);
-  return start<Fall<double>>(setup);
+  return setup.fix_winding ? start<Turned>(setup) : start<Fall<double>>(setup);
 }
 
 std::unique_ptr<Simulation> refuse(const Setup&) {
@@ -172,7 +179,7 @@ std::vector<Scene> scenes() {
   spring.start = start<Spring<Real>>;
 
   mesh.name = "mesh";
-  mesh.takes_mesh = true;
+  mesh.takes_mesh = mesh.fixes_winding = true;
   mesh.start = start_with_mesh;
   fails.name = "fails";
   fails.start = start<Fails>;

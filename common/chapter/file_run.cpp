@@ -139,6 +139,7 @@ void run_to_files(const Plan& plan, const Options& options, bool pictures,
                   const std::string& note) {
   note_interrupts();
   std::vector<Lane> lanes = start_lanes(plan);
+  for (const std::string& line : notices(lanes)) print_note(plan.chapter->name, line);
   Outputs outputs;
   const Files files = stage_files(outputs, plan, options, pictures);
 

@@ -73,10 +73,15 @@ std::string section(const char* heading, const std::vector<T>& things,
   return text;
 }
 
+const char* mesh_text(const Scene& scene) {
+  if (!scene.takes_mesh) return "";
+  return scene.fixes_winding ? ", takes --mesh and --fix-winding" : ", takes --mesh";
+}
+
 std::string scene_text(const Scene& scene) {
   std::string text = "\n" + wrapped(scene.name + ":", 1, scene.summary);
   text += fmt::format("  dt {}, duration {} s{}\n", step_text(scene.dt), scene.duration,
-                      scene.takes_mesh ? ", takes --mesh" : "");
+                      mesh_text(scene));
   const auto drawn = fmt::format("{}", fmt::join(scene.default_methods, ", "));
   text += wrapped("  by default drawn with", 3, drawn);
   text += section("methods", scene.methods, [](const Method& m) { return m.summary; });
@@ -118,6 +123,7 @@ Json scene_json(const Scene& scene) {
           {"dt", scene.dt},
           {"duration", scene.duration},
           {"takes_mesh", scene.takes_mesh},
+          {"fixes_winding", scene.fixes_winding},
           {"chart_metric", scene.chart_metric},
           {"default_methods", scene.default_methods},
           {"methods", array_of(scene.methods, method_json)},

@@ -46,6 +46,8 @@ void add_choice_options(CLI::App& app, Choice& choice, Typed& typed) {
       ->allow_extra_args(false);
   app.add_option("--mesh", choice.mesh, "OBJ or glTF file, for scenes that take one")
       ->type_name("FILE");
+  app.add_flag("--fix-winding", choice.fix_winding,
+               "with --mesh: turn a mesh that is inside out");
 }
 
 void add_output_options(CLI::App& app, Options& options, Typed& typed,

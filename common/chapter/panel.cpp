@@ -191,6 +191,7 @@ Controls controls_for(const Plan& plan) {
                     .duration = plan.duration,
                     .parameters = plan.setups.at(0).parameters,
                     .mesh = plan.mesh,
+                    .fix_winding = plan.fix_winding,
                     .metric = plan.scene->chart_metric};
   for (const Setup& setup : plan.setups) controls.methods.insert(setup.method);
   return controls;
@@ -209,6 +210,7 @@ Choice choice_of(const Controls& controls) {
   }
   if (!controls.preset.empty()) choice.preset = controls.preset;
   if (!controls.mesh.empty()) choice.mesh = controls.mesh;
+  choice.fix_winding = controls.fix_winding;
   return choice;
 }
 
@@ -224,6 +226,8 @@ Wishes draw_panel(Controls& controls, Session& session) {
 
   Wishes wishes = draw_transport(controls, session);
   if (!session.error().empty()) ImGui::TextWrapped("%s", session.error().c_str());
+  for (const std::string& notice : notices(session.lanes()))
+    ImGui::TextWrapped("%s", notice.c_str());
   ImGui::Separator();
   wishes.restart |= draw_scene_box(controls);
   wishes.restart |= draw_methods(controls);

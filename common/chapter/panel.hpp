@@ -21,8 +21,9 @@ struct Controls {
   double dt = 0, duration = 0;  ///< [s]
   std::map<std::string, double> parameters;
   std::filesystem::path mesh;  ///< empty if none
-  std::string metric;          ///< drawn over time; empty if none
-  double speed = 1;            ///< simulated seconds a second
+  bool fix_winding = false;
+  std::string metric;  ///< drawn over time; empty if none
+  double speed = 1;    ///< simulated seconds a second
   bool paused = false;
 };
 

@@ -142,6 +142,16 @@ std::filesystem::path choose_mesh(const Scene& scene, const Choice& choice) {
   return *choice.mesh;
 }
 
+bool choose_fix_winding(const Scene& scene, const Choice& choice) {
+  if (!choice.fix_winding) return false;
+  if (!scene.fixes_winding) {
+    throw InputError(
+        fmt::format("--fix-winding: scene {} takes no solid mesh", scene.name));
+  }
+  if (!choice.mesh) throw InputError("--fix-winding: there is no --mesh to turn");
+  return true;
+}
+
 }  // namespace
 
 const char* name(Precision precision) {
@@ -166,6 +176,7 @@ Plan make_plan(const Chapter& chapter, const Choice& choice) {
   choose_step(plan, choice);
   plan.preset = choice.preset.value_or("");
   plan.mesh = choose_mesh(scene, choice);
+  plan.fix_winding = choose_fix_winding(scene, choice);
   const std::map<std::string, double> parameters = choose_parameters(scene, choice);
 
   for (const std::string& method : methods) {
@@ -173,10 +184,12 @@ Plan make_plan(const Chapter& chapter, const Choice& choice) {
     plan.setups.push_back({.method = method,
                            .style = style,
                            .lane = plan.setups.size(),
+                           .lanes = methods.size(),
                            .dt = plan.dt,
                            .duration = plan.duration,
                            .parameters = parameters,
-                           .mesh = plan.mesh});
+                           .mesh = plan.mesh,
+                           .fix_winding = plan.fix_winding});
   }
   return plan;
 }

@@ -28,6 +28,7 @@ struct Choice {
   std::optional<std::string> preset{};
   std::vector<std::pair<std::string, std::string>> settings{};  ///< win over the preset
   std::optional<std::filesystem::path> mesh{};
+  bool fix_winding = false;
 };
 
 /// What will be simulated. Points into the chapter, which must outlive it.
@@ -41,6 +42,7 @@ struct Plan {
   long long steps = 0;         ///< as many whole steps as fit in the duration
   std::string preset;          ///< empty if none
   std::filesystem::path mesh;  ///< empty if none
+  bool fix_winding = false;    ///< turn a mesh that is inside out
 
   /// Simulated time after so many steps [s]: a product, so that no error adds up.
   double time(long long step) const { return static_cast<double>(step) * dt; }
@@ -51,8 +53,8 @@ inline constexpr double k_max_steps = 1e9;
 
 /// Throws InputError, in one line that names the option, the value and what would be
 /// valid, for an unknown scene, method, precision, parameter or preset; a step,
-/// duration or parameter that is not a number or out of range; a mesh that the scene
-/// does not take.
+/// duration or parameter that is not a number or out of range; a mesh, or its winding,
+/// that the scene does not take.
 Plan make_plan(const Chapter& chapter, const Choice& choice);
 
 /// The scenes of one precision.

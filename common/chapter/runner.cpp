@@ -38,13 +38,25 @@ std::unique_ptr<Simulation> start(const Plan& plan, const Setup& setup) {
   return simulation;
 }
 
-void advance(Lane& lane, long long to) {
+void timed_step(Lane& lane) {
+  const auto begin = Clock::now();
+  lane.simulation->step();
+  const double spent = seconds(Clock::now() - begin) - clock_overhead();
+  lane.wall_seconds += std::max(spent, 0.0);
+}
+
+/// Stops short at a step that cannot be taken: the lane has failed there.
+void advance(const Plan& plan, Lane& lane, long long to) {
   for (; lane.steps < to; ++lane.steps) {
     throw_if_interrupted();
-    const auto begin = Clock::now();
-    lane.simulation->step();
-    const double spent = seconds(Clock::now() - begin) - clock_overhead();
-    lane.wall_seconds += std::max(spent, 0.0);
+    try {
+      timed_step(lane);
+    } catch (const StepFailure& failure) {
+      lane.failure = Failure{lane.steps + 1, plan.time(lane.steps + 1), failure.what()};
+      lane.bodies = lane.simulation->bodies();
+      lane.metrics = lane.simulation->metrics();
+      return;
+    }
     lane.simulation->observe();
   }
 }
@@ -92,8 +104,9 @@ void stop_at_first_failure(const Plan& plan, Lane& lane, long long good) {
   if (bad <= good + 1) return;
 
   Lane again{.setup = lane.setup, .simulation = start(plan, *lane.setup)};
-  advance(again, good);
-  while (again.steps < bad && sample(plan, again)) advance(again, again.steps + 1);
+  advance(plan, again, good);
+  while (again.steps < bad && sample(plan, again))
+    advance(plan, again, again.steps + 1);
   sample(plan, again);
   lane = std::move(again);
 }
@@ -108,14 +121,22 @@ std::vector<Lane> start_lanes(const Plan& plan) {
   return lanes;
 }
 
+std::vector<std::string> notices(std::span<const Lane> lanes) {
+  std::vector<std::string> all;
+  for (const Lane& lane : lanes)
+    for (const std::string& line : lane.simulation->notices())
+      if (std::ranges::find(all, line) == all.end()) all.push_back(line);
+  return all;
+}
+
 CameraPose usual_camera(const Plan& plan, std::span<const Lane> lanes) {
   const CameraPose& camera = plan.scene->camera;
   return lanes.empty() ? camera : lanes.front().simulation->camera(camera);
 }
 
-void advance_lanes(std::span<Lane> lanes, long long step) {
+void advance_lanes(const Plan& plan, std::span<Lane> lanes, long long step) {
   for (Lane& lane : lanes) {
-    if (!lane.failure) advance(lane, step);
+    if (!lane.failure) advance(plan, lane, step);
   }
 }
 
@@ -137,7 +158,7 @@ void run_lanes(const Plan& plan, std::span<Lane> lanes,
   const long long stride = sample_stride(plan.dt);
   long long last_sample = 0;
   for (long long step = 0;;) {
-    advance_lanes(lanes, step);
+    advance_lanes(plan, lanes, step);
     if (step % stride == 0 || step == plan.steps) {
       sample_lanes(plan, lanes, last_sample);
       last_sample = step;

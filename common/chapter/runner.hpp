@@ -13,9 +13,10 @@
 
 namespace timestep {
 
-/// When and how a simulation's numbers ceased to be numbers.
+/// When and how a simulation failed: its numbers ceased to be numbers, or a step could
+/// not be taken.
 struct Failure {
-  long long step = 0;  ///< the first step after which they were not
+  long long step = 0;  ///< the first step after which that was so
   double time = 0;     ///< [s]
   std::string what;    ///< "position of ball is nan"
 };
@@ -42,11 +43,15 @@ struct Observer {
 /// throws passes through.
 std::vector<Lane> start_lanes(const Plan& plan);
 
+/// What the lanes have to say of their start, each line once.
+std::vector<std::string> notices(std::span<const Lane> lanes);
+
 /// The look that the run asks for: its first method's, or the scene's without one.
 CameraPose usual_camera(const Plan& plan, std::span<const Lane> lanes);
 
-/// Brings every lane that has not failed to `step`. Throws Interrupted after Ctrl+C.
-void advance_lanes(std::span<Lane> lanes, long long step);
+/// Brings every lane that has not failed to `step`; one whose step fails stays there.
+/// Throws Interrupted after Ctrl+C.
+void advance_lanes(const Plan& plan, std::span<Lane> lanes, long long step);
 
 /// Takes bodies and metrics of every lane. One with a number that is not finite fails:
 /// at the first step after `last_good` after which that is so, found by running again.

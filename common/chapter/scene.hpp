@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -41,12 +42,14 @@ struct Method {
 /// What to simulate: one method, every parameter's value, the step.
 struct Setup {
   std::string method;
-  Style style;           ///< of that method
-  std::size_t lane = 0;  ///< place among the methods that run side by side
-  double dt = 0;         ///< fixed time step [s]
-  double duration = 0;   ///< simulated time that is planned [s]
+  Style style;            ///< of that method
+  std::size_t lane = 0;   ///< place among the methods that run side by side
+  std::size_t lanes = 1;  ///< how many there are
+  double dt = 0;          ///< fixed time step [s]
+  double duration = 0;    ///< simulated time that is planned [s]
   std::map<std::string, double> parameters;  ///< every parameter of the scene
   std::filesystem::path mesh;                ///< the user's mesh; empty if none
+  bool fix_winding = false;                  ///< turn it if it is inside out
 };
 
 /// One body's state, as it is written to files. Metres, metres a second, radians a
@@ -64,13 +67,22 @@ struct Metric {
   double value = 0;
 };
 
+/// Thrown by a step that cannot be taken: the run of that method ends there, with these
+/// words.
+struct StepFailure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// A simulation in progress: it advances by one fixed step at a time, and can be asked
 /// at any moment where things are, how wrong they are and how they look.
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// Advances by `setup.dt`. This alone is timed.
+  /// What the user should know of the start, such as what was mended: a line each.
+  virtual std::vector<std::string> notices() const { return {}; }
+
+  /// Advances by `setup.dt`. This alone is timed. Throws StepFailure.
   virtual void step() = 0;
 
   /// Called at the start and after every step, outside of the timing: keeps track of
@@ -106,9 +118,10 @@ struct Scene {
   std::vector<std::string> default_methods;  ///< drawn over each other if several
   std::vector<Parameter> parameters;
   std::vector<Preset> presets{};
-  bool takes_mesh = false;  ///< `--mesh FILE` is understood
-  double dt = 1.0 / 60.0;   ///< default step [s]
-  double duration = 5;      ///< default simulated time [s]
+  bool takes_mesh = false;     ///< `--mesh FILE` is understood
+  bool fixes_winding = false;  ///< and so is `--fix-winding`: the mesh is a solid
+  double dt = 1.0 / 60.0;      ///< default step [s]
+  double duration = 5;         ///< default simulated time [s]
   CameraPose camera{};
   std::string chart_metric{};  ///< the metric drawn over time; none if empty
   bool chart_logarithmic = false;

@@ -41,10 +41,10 @@ void Session::advance_to(long long step) {
   while (step_ < step) {
     const long long next = std::min((step_ / stride + 1) * stride, step);
     if (next == step) {
-      advance_lanes(lanes_, step - 1);
+      advance_lanes(plan_, lanes_, step - 1);
       previous_ = draw_scene(lanes_);
     }
-    advance_lanes(lanes_, next);
+    advance_lanes(plan_, lanes_, next);
     step_ = next;
     take_sample();
   }
