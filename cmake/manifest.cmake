@@ -7,6 +7,9 @@
 set(timestep_manifest
   "01-particles: precision real integrator euler particle forces rounding exact"
   "02-verlet: scheme verlet runge_kutta implicit yoshida verlet_drag schemes
-    dormand_prince systems distance_constraint stability swarm exact_orbit
-    exact_pendulum"
+    dormand_prince systems distance_constraint stability swarm exact_elliptic
+    exact_orbit exact_pendulum"
+  "03-rigid-bodies: quaternion mass_properties mesh_mass rotation gyroscopic
+    rotation_momentum rotor_splitting rotation_runge_kutta rotations rigid_body exact_top
+    exact_cue_ball"
 )
