@@ -1,6 +1,7 @@
 """Tests of bench/bench_table.py on a made-up report of Google Benchmark."""
 from __future__ import annotations
 
+import math
 import sys
 import unittest
 from pathlib import Path
@@ -15,7 +16,7 @@ def run(name: str, family: int, **rates: float) -> dict:
 
 
 REPORT = {
-    "context": {"compiler": "GNU 12", "Odeint": "Boost 1_74"},
+    "context": {"compiler": "GNU 12", "Odeint": "Boost 1_74", "Bullet": "3.24"},
     "benchmarks": [
         run("kepler/rk4/alone", 7, items_per_second=20e6, energy_error=1e-8),
         run("kepler/rk4/whole", 6, items_per_second=10e6, energy_error=1e-8),
@@ -31,6 +32,15 @@ REPORT = {
             bytes_per_second=30e9, kept=2),
         run("bandwidth/triad/double/1000000/2", 5, bytes_per_second=40e9),
         run("particles/explicit_euler/whole/double/4096", 0, items_per_second=300e6),
+        run("rotation/momentum/single/1000", 10, items_per_second=20e6),
+        run("rotation/momentum/single/100000", 11, items_per_second=10e6),
+        run("rotation/momentum/double/100000", 12, items_per_second=5e6),
+        run("top/momentum/single", 13, attitude_error_1_s=math.pi / 180,
+            energy_change=-0.25, flips=21, flips_energy_change=1e-3),
+        run("top/momentum/double", 14, attitude_error_1_s=math.pi / 360, flips=22),
+        run("rotation/Bullet_world/single/100000", 15, items_per_second=2.5e6),
+        run("rotation/constant_omega/single/100000", 17, items_per_second=40e6),
+        run("top/Bullet_world/single", 16, attitude_error_1_s=math.pi / 90, flips=3),
     ]}
 
 
@@ -46,6 +56,7 @@ class BenchTableTest(unittest.TestCase):
     def test_medians_of_all_rounds_in_the_order_of_the_program(self) -> None:
         self.assertEqual(self.measured["machine"], "an abacus")
         self.assertEqual(self.measured["Odeint"], "Boost 1_74")
+        self.assertEqual(self.measured["Bullet"], "3.24")
         self.assertNotIn("GSL", self.measured)
         self.assertEqual(self.measured["medians"]["particles/rk4/swarm/double/4096"],
                          {"million_per_second": 400, "ns": 2.5, "kept": 2})
@@ -64,6 +75,24 @@ class BenchTableTest(unittest.TestCase):
         self.assertEqual(row["Odeint"], "`runge_kutta4_classic`")
         self.assertEqual(row["time / Odeint's"], "2.00")
         self.assertEqual(row["Odeint's energy error"], "3.0 × 10⁻⁸")
+
+    def test_bodies_beside_those_of_the_same_precision(self) -> None:
+        row = self.row("rotation", 0)
+        self.assertEqual(row["method"], "`momentum`")
+        self.assertEqual(row["1,000 bodies [ns]"], "50.0 / –")
+        self.assertEqual(row["100,000 bodies [ns]"], "100.0 / 200.0")
+        self.assertEqual(row["time / without gyroscopic term"], "4.00 / –")
+        self.assertEqual(row["time / Bullet's world"], "0.25 / –")
+        self.assertEqual(row["time / ODE's"], "–")
+        self.assertEqual(self.row("rotation", 1)["time / Bullet's world"], "1.00 / –")
+
+    def test_what_becomes_of_a_top_in_degrees(self) -> None:
+        row = self.row("top", 0)
+        self.assertEqual(row["attitude error, 1 s [°]"], "1 / 0.5")
+        self.assertEqual(row["attitude error, 10 s [°]"], "–")
+        self.assertEqual(row["energy, 100 s"], "−2.5 × 10⁻¹ / –")
+        self.assertEqual(row["flips, 60 s"], "21 / 22")
+        self.assertEqual(self.row("top", 1)["flips, 60 s"], "3 / –")
 
     def test_what_is_not_there_is_a_dash(self) -> None:
         self.assertEqual(self.row("kepler", 0)["GSL"], "–")

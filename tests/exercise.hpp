@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <glm/glm.hpp>
 
 #include "tests/catch.hpp"
 
@@ -19,6 +20,13 @@ inline void expect(std::string_view what, double yours, double right,
   if (std::abs(error) <= tolerance) return;
   FAIL(fmt::format("{}: yours is {:.8g}, right is {:.8g} (off by {:.1e})", what, yours,
                    right, error));
+}
+
+/// The same for each component of a vector.
+inline void expect(std::string_view what, const glm::dvec3& yours,
+                   const glm::dvec3& right, double tolerance) {
+  for (const int i : {0, 1, 2})
+    expect(fmt::format("{} of {}", "xyz"[i], what), yours[i], right[i], tolerance);
 }
 
 }  // namespace timestep

@@ -29,7 +29,20 @@ constexpr std::array k_covered{"constant_acceleration_steps",
                                "kepler_exact",
                                "kepler_steps",
                                "double_pendulum_reference",
-                               "spring_two_body"};
+                               "spring_two_body",
+                               "asymmetric_top_free",
+                               "symmetric_top_free",
+                               "flip_period",
+                               "heavy_top_steady",
+                               "heavy_top_motion",
+                               "cue_strike",
+                               "inertia_primitive",
+                               "mesh_mass_properties",
+                               "rotation_steps",
+                               "rotation_order",
+                               "gyro_steps",
+                               "listing3_error",
+                               "quaternion_drift"};
 
 // All cases pass; of the kinds above none is left out but as many as are told.
 void check(Precision precision, int left_out) {

@@ -202,7 +202,7 @@ class WeaveTest(unittest.TestCase):
                                      "over=kepler/rk4/alone"), "4.0")
         text = self.woven("<!-- weave: bench kepler --><!-- /weave -->", "--timings")
         self.assertIn("| `rk4` | 60.0 | 40.0 |", text)
-        for marker in ("bench none", "bench", "measured kepler/rk4/alone",
+        for marker in ("bench none", "bench", "bench rotation", "measured kepler/rk4/alone",
                        "measured kepler/rk4/none ns"):
             self.assertEqual(self.complaint(f"A <!-- weave: {marker} --><!-- /weave -->")[0],
                              2, marker)

@@ -10,6 +10,9 @@
 #include "common/physics/exact_orbit.hpp"
 #include "common/physics/exact_pendulum.hpp"
 #include "common/physics/forces.hpp"
+#include "common/physics/mesh_mass.hpp"
+#include "common/physics/rigid_body.hpp"
+#include "common/physics/rotations.hpp"
 #include "common/physics/rounding.hpp"
 #include "common/physics/schemes.hpp"
 #include "common/physics/stability.hpp"
@@ -107,6 +110,41 @@ void print_systems() {
   print_state("rope", rope);
 }
 
+// A twisted prism's mass properties and principal axes
+void print_mass() {
+  std::vector<Vec3> vertices;
+  for (int i = 0; i < 6; ++i) {
+    const Real x = i % 3, y = Real(i) / 7, z = i < 3 ? 0 : 3;
+    vertices.emplace_back(x + Real(0.1) * z, x * x / 3 - y, z + x * y);
+  }
+  const std::vector<Triangle> triangles{{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
+                                        {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+  const MassProperties body = mesh_mass(Real(2.7), vertices, triangles);
+  const auto [moments, A] = principal_axes(body.inertia);
+  print("mass", body.mass);
+  for (int i = 0; i < 3; ++i) {
+    print("centre", body.centre_of_mass[i]);
+    print("moment", moments[i]);
+    for (int j = 0; j < 3; ++j) print("tensor", body.inertia[i][j] + A[i][j]);
+  }
+}
+
+// 500 steps of a brick on a spring at one of its corners
+void print_brick(const RotationMethod& method) {
+  RigidBody brick{.velocity = {1, 0, Real(0.5)},
+                  .angular_velocity = {Real(0.4), 1, Real(0.8)},
+                  .inverse_mass = 1,
+                  .inverse_inertia = {1, Real(0.5), Real(0.4)}};
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 corner = world_point(brick, {1, Real(0.5), Real(0.3)});
+    add_force_at_point(brick, spring(Real(0.2), corner, {0, 2, 0}), corner);
+    integrate(brick, method.step, Real(1) / 60);
+  }
+  const Rotation r = rotation_of(brick);
+  print(method.name.data(), r.q.w + r.q.x + r.q.y + r.q.z);
+  for (int i = 0; i < 3; ++i) print(method.name.data(), brick.position[i] + r.omega[i]);
+}
+
 }  // namespace
 
 int main() {
@@ -114,6 +152,8 @@ int main() {
   for (const Scheme& scheme : schemes()) print_cloud(scheme);
   for (const Scheme& scheme : drag_schemes()) print_cloud(scheme);
   print_systems();
+  print_mass();
+  for (const RotationMethod& method : rotation_methods()) print_brick(method);
   print("clock", accumulated_time(Real(1) / 60, 100'000));
   for (int i = 0; i < 50; ++i) {
     const double t = 0.1 * i;

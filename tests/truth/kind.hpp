@@ -40,11 +40,17 @@ namespace single_precision {
 std::span<const truth::Kind> truth_kinds_01();
 std::span<const truth::Kind> truth_kinds_02();
 std::span<const truth::Kind> truth_kinds_02_motions();
+std::span<const truth::Kind> truth_kinds_03_exact();
+std::span<const truth::Kind> truth_kinds_03_mass();
+std::span<const truth::Kind> truth_kinds_03_rotation();
 }  // namespace single_precision
 namespace double_precision {
 std::span<const truth::Kind> truth_kinds_01();
 std::span<const truth::Kind> truth_kinds_02();
 std::span<const truth::Kind> truth_kinds_02_motions();
+std::span<const truth::Kind> truth_kinds_03_exact();
+std::span<const truth::Kind> truth_kinds_03_mass();
+std::span<const truth::Kind> truth_kinds_03_rotation();
 }  // namespace double_precision
 }  // namespace timestep
 
@@ -55,5 +61,7 @@ namespace timestep::truth {
 /// is missing there is computed in double (or bit-exactly) and keeps the case's own
 /// tolerance.
 std::span<const Kind> single_tolerances();
+std::span<const Kind> single_tolerances_03_mass();
+std::span<const Kind> single_tolerances_03_rotation();
 
 }  // namespace timestep::truth

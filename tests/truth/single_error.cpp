@@ -16,7 +16,6 @@ using truth::Json;
 using truth::Place;
 
 using Vector = std::vector<double>;
-using Matrix = std::vector<Vector>;
 
 constexpr double k_u = 0x1p-24;  // unit round-off of single precision
 
@@ -99,6 +98,33 @@ Roundings roundings(const Scheme& scheme) {
 
 }  // namespace
 
+void carry(const Matrix& D, Matrix& C, Matrix& room) {
+  const std::size_t n = C.size();
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      room[j][i] = 0;
+      for (std::size_t k = 0; k < n; ++k) room[j][i] += D[k][i] * C[j][k];
+    }
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      C[j][i] = 0;
+      for (std::size_t k = 0; k < n; ++k) C[j][i] += room[k][i] * D[k][j];
+    }
+}
+
+Matrix cholesky(Matrix C) {
+  const std::size_t n = C.size();
+  Matrix L;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double root = std::sqrt(std::max(C[k][k], 0.0));
+    Vector& column = L.emplace_back(n);
+    for (std::size_t i = k; i < n && root > 0; ++i) column[i] = C[k][i] / root;
+    for (std::size_t j = k; j < n; ++j)
+      for (std::size_t i = k; i < n; ++i) C[j][i] -= column[i] * column[j];
+  }
+  return L;
+}
+
 Followed::Followed(const Rounded& rounded) : rounded_(rounded) {
   Run& run = rounded_.run;
   now_ = read(begin(run.scheme, run.acceleration, run.start, run.dt));
@@ -160,23 +186,8 @@ void Followed::add_rounding() {
   before_ = here;
 }
 
-// C becomes D C D'
-void Followed::carry() {
-  const std::size_t n = sum_.size();
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = 0; i < n; ++i) {
-      half_[j][i] = 0;
-      for (std::size_t k = 0; k < n; ++k) half_[j][i] += derivative_[k][i] * sum_[j][k];
-    }
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = 0; i < n; ++i) {
-      sum_[j][i] = 0;
-      for (std::size_t k = 0; k < n; ++k) sum_[j][i] += half_[k][i] * derivative_[k][j];
-    }
-}
-
 void Followed::step() {
-  carry();
+  carry(derivative_, sum_, half_);
   if (!rounded_.linear) {
     part(after_a_step(rounded_.run, now_), now_);
     look();
@@ -197,17 +208,9 @@ Place Followed::at() const {
   return place_of(now_);
 }
 
-// Cholesky's L, a column after the other; what rounding leaves below 0 is 0
 Ellipsoid Followed::error() const {
-  const std::size_t n = sum_.size();
   Ellipsoid columns;
-  Matrix rest = sum_;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double root = std::sqrt(std::max(rest[k][k], 0.0));
-    Vector column(n);
-    for (std::size_t i = k; i < n && root > 0; ++i) column[i] = rest[k][i] / root;
-    for (std::size_t j = k; j < n; ++j)
-      for (std::size_t i = k; i < n; ++i) rest[j][i] -= column[i] * column[j];
+  for (Vector& column : cholesky(sum_)) {
     for (double& c : column) c *= k_u * std::sqrt(roundings_);
     State parts;
     part(column, parts);
@@ -220,10 +223,8 @@ Json spread(const std::function<Json(const Place&)>& fields, const Place& at,
             const Ellipsoid& error) {
   const auto moved = [&](double share, const Place& by) {
     Place place = at;
-    for (std::size_t i = 0; i < at.x.size(); ++i) {
-      place.x[i] += share * by.x[i];
-      place.v[i] += share * by.v[i];
-    }
+    for (std::size_t i = 0; i < at.x.size(); ++i) place.x[i] += share * by.x[i];
+    for (std::size_t i = 0; i < at.v.size(); ++i) place.v[i] += share * by.v[i];
     return fields(place).flatten();
   };
   const Json here = fields(at).flatten();

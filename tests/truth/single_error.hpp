@@ -22,6 +22,15 @@ struct Rounded {
 /// that those of what the orbit keeps are small.
 using Ellipsoid = std::vector<truth::Place>;
 
+/// A matrix, column by column.
+using Matrix = std::vector<std::vector<double>>;
+
+/// C becomes D C D'; `room` is another matrix of its size.
+void carry(const Matrix& D, Matrix& C, Matrix& room);
+
+/// L, a column after the other: L L' = C. What rounding leaves below 0 is 0.
+Matrix cholesky(Matrix C);
+
 /// A run in double, followed step by step, and where the same run in single precision
 /// may be. Throws truth::NotCovered where that leaves the range of a float.
 ///
@@ -40,7 +49,6 @@ class Followed {
 
  private:
   using Vector = std::vector<double>;
-  using Matrix = std::vector<Vector>;  // column by column
 
   // A number for x and one for v
   struct Both {
@@ -48,7 +56,6 @@ class Followed {
   };
 
   void look();
-  void carry();
   void add_rounding();
   Both rounding() const;
 
