@@ -2,10 +2,13 @@
 
 results() takes the medians out of what Google Benchmark wrote:
 
-    {"machine": …, "compiler": …, "Odeint": …, "GSL": …,
+    {"machine": …, "compiler": …, "Odeint": …, "GSL": …, "Bullet": …, "ODE": …,
      "medians": {"particles/rk4/swarm/double/4096": {"ns": …, "million_per_second": …},
                  "bandwidth/triad/double/1000000/2": {"GB_per_second": …},
-                 "kepler/rk4/alone": {"ns": …, "energy_error": …}}}
+                 "kepler/rk4/alone": {"ns": …, "energy_error": …},
+                 "rotation/momentum/single/1000": {"million_per_second": …, "ns": …},
+                 "top/momentum/single": {"attitude_error_1_s": …, "energy_change": …,
+                                         "flips": …, "flips_energy_change": …}}}
 
 bench/results.json is such a file: what `./timestep bench --publish` measured last. The
 text quotes it.
@@ -14,6 +17,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 import sys
 from collections import defaultdict
 from dataclasses import dataclass
@@ -27,7 +31,12 @@ PUBLISHED = Path(__file__).resolve().parent / "results.json"
 PRECISIONS = ("single", "double")
 UNITS = {"items_per_second": ("million_per_second", 1e-6),
          "bytes_per_second": ("GB_per_second", 1e-9),
-         "energy_error": ("energy_error", 1), "kept": ("kept", 1)}
+         **{key: (key, 1) for key in (
+             "energy_error", "kept", "attitude_error_1_s", "attitude_error_10_s",
+             "attitude_error_100_s", "energy_change", "flips", "flips_energy_change")}}
+LIBRARIES = ("Odeint", "GSL", "Bullet", "ODE")
+PARTS = ("particles", "kepler", "all", "rotation", "top")
+WITHOUT_GYROSCOPIC_TERM = "constant_omega"
 # Who takes the same step, or one of the same order
 PEERS = {
     "semi_implicit_euler": {"Odeint": ["symplectic_euler"]},
@@ -55,7 +64,7 @@ def results(report: dict, machine: str) -> dict:
     for one in medians.values():
         if "million_per_second" in one:
             one["ns"] = rounded(1e3 / one["million_per_second"])
-    context = {key: report["context"][key] for key in ("compiler", "Odeint", "GSL")
+    context = {key: report["context"][key] for key in ("compiler", *LIBRARIES)
                if key in report["context"]}
     return {"machine": machine, **context, "medians": medians}
 
@@ -80,6 +89,7 @@ class Tables:
         self.medians = measured["medians"]
         names = [name.split("/") for name in self.medians]
         self.methods = list(dict.fromkeys(n[1] for n in names if "whole" in n))
+        self.turning = list(dict.fromkeys(n[1] for n in names if n[0] == "top"))
 
     def value(self, name: str, key: str) -> float | None:
         return self.medians.get(name, {}).get(key)
@@ -138,12 +148,49 @@ class Tables:
         return min((name for name in names if name in self.medians),
                    key=lambda name: self.value(name, "ns"), default="")
 
+    def bodies(self, method: str, count: int, key: str, spec: str) -> Cell:
+        names = [f"rotation/{method}/{p}/{count}" for p in PRECISIONS]
+        return Cell(tuple(self.value(name, key) for name in names), spec)
+
+    def rotation(self, method: str) -> dict[str, Cell]:
+        """What a step of a body takes, beside those with which others step as many."""
+        def over(other: str, count: int) -> Cell:
+            return Cell(tuple(self.ratio(f"rotation/{method}/{p}/{count}",
+                                         f"rotation/{other}/{p}/{count}", "ns")
+                              for p in PRECISIONS), ".2f")
+
+        return {"1,000 bodies [ns]": self.bodies(method, 1000, "ns", ".1f"),
+                "100,000 bodies [ns]": self.bodies(method, 100000, "ns", ".1f"),
+                "time / without gyroscopic term": over(WITHOUT_GYROSCOPIC_TERM, 100000),
+                "time / Bullet's bodies": over("Bullet_bodies", 100000),
+                "time / Bullet's world": over("Bullet_world", 100000),
+                "time / ODE's": over("ODE", 100000)}
+
+    def top(self, method: str) -> dict[str, Cell]:
+        """What becomes of a free top, and of a body spun about its middle axis."""
+        def of(key: str, spec: str, unit: float = 1) -> Cell:
+            values = [self.value(f"top/{method}/{p}", key) for p in PRECISIONS]
+            return Cell(tuple(None if v is None else v * unit for v in values), spec)
+
+        return {**{f"attitude error, {time} s [°]":
+                   of(f"attitude_error_{time}_s", ".3g", math.degrees(1))
+                   for time in (1, 10, 100)},
+                "energy, 100 s": of("energy_change", "+.1e"),
+                "flips, 60 s": of("flips", ".0f"),
+                "energy of the flipping, 60 s": of("flips_energy_change", "+.1e")}
+
     def rows(self, part: str) -> list[dict[str, Cell]]:
-        """A row a method of "particles", "kepler" or "all", if there is anything."""
+        """A row a method of one of PARTS, if there is anything. "all" is what has a
+        row for every method that moves particles."""
+        columns = {"particles": [self.particles], "kepler": [self.kepler],
+                   "all": [self.particles, self.kepler],
+                   "rotation": [self.rotation], "top": [self.top]}[part]
+        methods = self.turning if part in ("rotation", "top") else self.methods
         rows = []
-        for method in self.methods:
-            cells = {} if part == "kepler" else self.particles(method)
-            cells |= {} if part == "particles" else self.kepler(method)
+        for method in methods:
+            cells = {}
+            for of in columns:
+                cells |= of(method)
             if any(str(cell) != "–" for cell in cells.values()):
                 rows.append({"method": Cell((method,), "")} | cells)
         return rows

@@ -24,6 +24,16 @@ int main(int argc, char** argv) {
   timestep::double_precision::bench::add_kepler_with_gsl();
   benchmark::AddCustomContext("GSL", GSL_VERSION);
 #endif
+  timestep::single_precision::bench::add_rotation();
+  timestep::double_precision::bench::add_rotation();
+#if defined(TIMESTEP_BULLET)
+  timestep::double_precision::bench::add_rotation_with_bullet();
+  benchmark::AddCustomContext("Bullet", TIMESTEP_BULLET);
+#endif
+#if defined(TIMESTEP_ODE)
+  timestep::double_precision::bench::add_rotation_with_ode();
+  benchmark::AddCustomContext("ODE", TIMESTEP_ODE);
+#endif
 
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

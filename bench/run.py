@@ -1,9 +1,9 @@
 """Measures everything in several rounds and writes tables of ratios into out/bench.
 
-bench.json is as Google Benchmark has it, results.json has the medians, table.md and
-table.csv the ratios. Called by `./timestep bench` after the build. A round measures all
-once, in an order of its own, so that what slows the machine down for a while slows
-everything down alike.
+bench.json is as Google Benchmark has it, results.json has the medians, table.md the
+ratios, and so have table.csv, rotation.csv and top.csv. Called by `./timestep bench`
+after the build. A round measures all once, in an order of its own, so that what slows
+the machine down for a while slows everything down alike.
 """
 from __future__ import annotations
 
@@ -31,8 +31,11 @@ second: 4,096 in cache, 1,000,000 in memory; implicit methods get one. *whole*: 
 method on whole arrays, with any acceleration; *swarm* and *alone*: the same lines,
 compiled for particles that do not feel each other. *by hand*: one vectorised loop of
 the same arithmetic. *bandwidth*: what a swarm must read and write in a second, over a
-triad's and over an update's in place. Kepler: double, a step of one planet. Peers:
-{peers}.
+triad's and over an update's in place. Kepler: double, a step of one planet. Rotation:
+a step of one of many free bodies, and how far off two of them get at 60 steps a second:
+the *attitude error* and *energy* of a top, the *flips* of a body that spins about its
+middle axis. *Bullet's bodies*: only what moves a free one; *its world*: as it is meant
+to be used, without collision detection. Peers: {peers}.
 """
 
 
@@ -77,12 +80,17 @@ def write(folder: Path, report: dict) -> str:
     measured = bench_table.results(report, machine())
     tables = bench_table.Tables(measured)
     peers = ", ".join(f"{library} ({measured[library]})" if library in measured else
-                      f"{library} is not installed" for library in ("Odeint", "GSL"))
+                      f"{library} is not installed"
+                      for library in bench_table.LIBRARIES)
     legend = LEGEND.format(**measured, bandwidth=tables.bandwidth(), peers=peers)
+    parts = {"table": "all", "rotation": "rotation", "top": "top"}
+    rows = {name: tables.rows(part) for name, part in parts.items()}
+    markdown = [bench_table.markdown(each) for each in rows.values()]
     files = {"bench.json": json.dumps(report, indent=1) + "\n",
              "results.json": json.dumps(measured, indent=1) + "\n",
-             "table.csv": bench_table.comma_separated(tables.rows("all")),
-             "table.md": f"{bench_table.markdown(tables.rows('all'))}\n\n{legend}"}
+             "table.md": "\n\n".join([*markdown, legend]),
+             **{f"{name}.csv": bench_table.comma_separated(each)
+                for name, each in rows.items()}}
     folder.mkdir(parents=True, exist_ok=True)
     for name, text in files.items():
         (folder / name).write_text(text, encoding="utf-8")

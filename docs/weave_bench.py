@@ -26,10 +26,14 @@ def results(root: Path) -> dict:
 
 
 def table(root: Path, place: Place) -> str:
-    part = place.word(1, "particles, kepler or all")
-    if part not in ("particles", "kepler", "all"):
-        raise WeaveError(f"bench has particles, kepler and all, not '{part}'")
-    return bench_table.markdown(bench_table.Tables(results(root)).rows(part))
+    parts = ", ".join(bench_table.PARTS)
+    part = place.word(1, f"one of {parts}")
+    if part not in bench_table.PARTS:
+        raise WeaveError(f"bench has {parts}, not '{part}'")
+    rows = bench_table.Tables(results(root)).rows(part)
+    if not rows:
+        raise WeaveError(f"bench/results.json has nothing of '{part}'")
+    return bench_table.markdown(rows)
 
 
 def number(root: Path, place: Place) -> str:
