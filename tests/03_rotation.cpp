@@ -49,12 +49,11 @@ void check_order(const RotationMethod& method, const Torque& torque,
   // The next power of the step changes a slope by some 0.02 in double. In single the
   // steps are so long that errors stay ten times above rounding, and it shows more: the
   // most accurate method takes one radian in a step
-  const bool most_accurate = method.name == "rotor_splitting_4";
-  const auto [n, n_finer] = !k_single           ? std::pair{128, 512}
-                            : most_accurate     ? std::pair{2, 4}
-                            : method.order == 4 ? std::pair{10, 20}
-                            : method.order == 2 ? std::pair{20, 80}
-                                                : std::pair{64, 256};
+  const auto [n, n_finer] = !k_single                            ? std::pair{128, 512}
+                            : method.name == "rotor_splitting_4" ? std::pair{2, 4}
+                            : method.order == 4                  ? std::pair{10, 20}
+                            : method.order == 2                  ? std::pair{20, 80}
+                                                                 : std::pair{64, 256};
   INFO(method.name);
   const double observed = slope(method, torque, end, n, n_finer);
   if (k_single && method.order == 4)

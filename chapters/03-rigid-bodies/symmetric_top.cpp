@@ -12,7 +12,7 @@ class SymmetricTop : public FreeTop {
   SymmetricTop(const Setup& setup, const glm::dvec3& moments,
                const exact::Turning& start)
       : FreeTop(setup, moments, start),
-        L_(momentum_of(start, moments)),
+        momentum_(momentum_of(start, moments)),
         azimuth_(azimuth(start.q)),
         start_azimuth_(azimuth_) {}
 
@@ -24,11 +24,13 @@ class SymmetricTop : public FreeTop {
   std::vector<Metric> metrics() const override {
     const double t = time();
     std::vector<Metric> all = FreeTop::metrics();
-    all.push_back({"cone_angle", "rad", angle_between(axis(now().q), L_)});
-    all.push_back({"cone_angle_exact", "rad", angle_between(axis(start().q), L_)});
+    all.push_back({"cone_angle", "rad", angle_between(axis(now().q), momentum_)});
+    all.push_back(
+        {"cone_angle_exact", "rad", angle_between(axis(start().q), momentum_)});
     all.push_back(
         {"precession_rate", "rad/s", t > 0 ? (azimuth_ - start_azimuth_) / t : 0});
-    all.push_back({"precession_rate_exact", "rad/s", glm::length(L_) / moments().x});
+    all.push_back(
+        {"precession_rate_exact", "rad/s", glm::length(momentum_) / moments().x});
     return all;
   }
 
@@ -38,14 +40,14 @@ class SymmetricTop : public FreeTop {
   // How far the axis has gone round the exact L
   double azimuth(const glm::dquat& q) const {
     const glm::dvec3 up =
-        glm::length(L_) > 0 ? glm::normalize(L_) : glm::dvec3(0, 0, 1);
+        glm::length(momentum_) > 0 ? glm::normalize(momentum_) : glm::dvec3(0, 0, 1);
     const glm::dvec3 other =
         std::abs(up.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 e = glm::normalize(glm::cross(up, other));
     return std::atan2(glm::dot(axis(q), glm::cross(up, e)), glm::dot(axis(q), e));
   }
 
-  glm::dvec3 L_;
+  glm::dvec3 momentum_;
   double azimuth_, start_azimuth_;
 };
 

@@ -34,6 +34,15 @@ inline Quat add_and_normalise_in_body(const Quat& q, const Vec3& omega, Real dt)
   return glm::normalize(q + q * Quat(0, omega) * (dt / 2));
 }
 
+/// v turned by q, whatever the length of q. Rounding leaves a normalised q a little too
+/// long on average; where a vector goes there and back in every step, q * v would make
+/// it longer and longer.
+inline Vec3 turned_by(const Quat& q, const Vec3& v) {
+  const Vec3 u(q.x, q.y, q.z);
+  const Vec3 c = glm::cross(u, v);
+  return v + 2 / glm::dot(q, q) * (q.w * c + glm::cross(u, c));
+}
+
 /// The matrix whose columns are the body's axes in the world frame.
 inline Mat3 matrix_of(const Quat& q) {
   return glm::mat3_cast(q);

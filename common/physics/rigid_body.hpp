@@ -65,11 +65,12 @@ inline void damp(RigidBody& body, Real linear, Real angular, Real dt) {
 
 /// How a body stands and turns, for a rotation method; and back.
 inline Rotation rotation_of(const RigidBody& body) {
-  return {body.orientation, in_body(body.orientation, body.angular_velocity)};
+  return {body.orientation,
+          turned_by(glm::conjugate(body.orientation), body.angular_velocity)};
 }
 inline void set_rotation(RigidBody& body, const Rotation& r) {
   body.orientation = r.q;
-  body.angular_velocity = r.q * r.omega;
+  body.angular_velocity = turned_by(r.q, r.omega);
 }
 
 /// A step of dt [s]: semi-implicit Euler for the centre of mass, `method` (see
