@@ -11,7 +11,7 @@ namespace timestep {
 namespace single_precision::bench {
 void add_particles();
 void add_rotation();
-}
+}  // namespace single_precision::bench
 namespace double_precision::bench {
 void add_particles();
 void add_kepler();
