@@ -1,0 +1,101 @@
+#include "common/physics/gjk.hpp"
+
+#include <algorithm>
+
+namespace timestep::inline TIMESTEP_PRECISION {
+namespace {
+
+// Where v is at the origin, rounding has the last word on its direction
+Vec3 direction_to(const Vec3& v, Real distance) {
+  return distance > 0 ? v / distance : Vec3(1, 0, 0);
+}
+
+bool holds(const Simplex& simplex, const Vec3& w) {
+  for (int i = 0; i < simplex.size; ++i)
+    if (simplex.vertices[std::size_t(i)].w == w) return true;
+  return false;
+}
+
+void finish(Gjk& gjk, Reason reason) {
+  gjk.reason = reason;
+  gjk.done = true;
+}
+
+void keep(const Gjk& gjk, GjkCache* cache) {
+  if (cache != nullptr) cache->simplex = gjk.simplex;
+}
+
+}  // namespace
+
+Gjk gjk_start(const MinkowskiDifference& difference, const GjkCache* cache) {
+  Gjk gjk;
+  if (cache != nullptr && cache->simplex.size > 0) {
+    gjk.simplex = cache->simplex;
+    for (int i = 0; i < gjk.simplex.size; ++i) {
+      SupportPoint& p = gjk.simplex.vertices[std::size_t(i)];
+      p.w = difference_at(difference, p.a, p.b);
+    }
+  } else {
+    const Vec3& t = difference.offset;
+    gjk.simplex.size = 1;
+    gjk.simplex.vertices[0] = support(difference, direction_to(t, glm::length(t)));
+    gjk.iterations = 1;
+  }
+  gjk.v = reduce_to_closest(gjk.simplex);
+  gjk.done = cores_meet(gjk);
+  return gjk;
+}
+
+void gjk_step(const MinkowskiDifference& difference, Gjk& gjk) {
+  // No point of the difference is nearer than the plane through the support point
+  const Real upper = glm::length(gjk.v);
+  const Vec3 normal = direction_to(gjk.v, upper);
+  const SupportPoint& near = gjk.simplex.vertices[std::size_t(gjk.simplex.size - 1)];
+  const SupportPoint next = support(difference, normal, near);
+  ++gjk.iterations;
+  const Real lower = glm::dot(normal, next.w);
+  const bool rises = lower > gjk.lower;
+  if (lower > gjk.lower - k_rounding / 8) gjk.normal = normal;
+  gjk.lower = std::max(gjk.lower, lower);
+
+  // (4.10) The duality gap; times |v| it is the v.v - v.w of the textbooks. Rounding
+  // may keep it open, but then neither bound moves any more
+  const Real gap = upper - gjk.lower;
+  const Reason at_rest = gap <= k_rounding ? Reason::converged : Reason::no_progress;
+  if (gap <= k_rounding / 16 || holds(gjk.simplex, next.w)) return finish(gjk, at_rest);
+  Simplex larger = gjk.simplex;
+  larger.vertices[std::size_t(larger.size++)] = next;
+  const Vec3 v = reduce_to_closest(larger);
+  const Real closer = glm::length(v);
+  if (!(closer < upper || (rises && closer <= upper + k_rounding / 16)))
+    return finish(gjk, at_rest);
+  gjk.simplex = larger;
+  gjk.v = v;
+  if (cores_meet(gjk)) return finish(gjk, Reason::converged);
+  if (gjk.iterations >= k_gjk_limit) finish(gjk, Reason::iteration_limit);
+}
+
+Gjk run_gjk(const MinkowskiDifference& difference, GjkCache* cache) {
+  Gjk gjk = gjk_start(difference, cache);
+  while (!gjk.done) gjk_step(difference, gjk);
+  keep(gjk, cache);
+  return gjk;
+}
+
+bool cores_meet(const Gjk& gjk) {
+  return gjk.simplex.size == 4 || !(glm::length(gjk.v) > k_rounding);
+}
+
+bool intersect(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,
+               GjkCache* cache) {
+  const MinkowskiDifference difference = minkowski_difference(a, pose_a, b, pose_b);
+  if (!(difference.unit > 0)) return false;
+  const Real radius = (a.radius + b.radius) / difference.unit;
+  Gjk gjk = gjk_start(difference, cache);
+  while (!gjk.done && gjk.lower <= radius && glm::length(gjk.v) > radius)
+    gjk_step(difference, gjk);
+  keep(gjk, cache);
+  return cores_meet(gjk) || glm::length(gjk.v) <= radius;
+}
+
+}  // namespace timestep::inline TIMESTEP_PRECISION
