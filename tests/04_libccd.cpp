@@ -27,6 +27,13 @@ void support_of(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* poi
   ccdVec3Set(point, p.x, p.y, p.z);
 }
 
+// How far a body reaches along a direction
+double reach(const Body& body, const Vec3& direction) {
+  const Vec3 d = direction_in_body(body.pose, direction);
+  const Vec3 far = support(hull_shape(body.points), d);
+  return double(glm::dot(direction, point_in_world(body.pose, far)));
+}
+
 Body random_body(Random& random, double apart) {
   Body body{{}, {Real(apart) * random.direction(), random.turn()}};
   for (int i = 0; i < 32; ++i) body.points.push_back(random.direction());
@@ -35,7 +42,7 @@ Body random_body(Random& random, double apart) {
 
 }  // namespace
 
-TEST_CASE("libccd is of the same opinion, and never deeper than it must be is ours") {
+TEST_CASE("libccd finds the same pairs to meet, and no depth that is less than ours") {
   ccd_t ccd;
   CCD_INIT(&ccd);
   ccd.support1 = ccd.support2 = support_of;
@@ -57,11 +64,15 @@ TEST_CASE("libccd is of the same opinion, and never deeper than it must be is ou
     REQUIRE(meet == (s.distance < 0));
     if (!meet) continue;
 
-    // Its depth may be too great: then it stopped at another than the nearest face
+    // A direction is worth the overlap along it. Along libccd's it is never less than
+    // ours, and in one of ten deep pairs more: it stopped at another than the nearest
+    // face, and then names a depth that is less than what it would take
     ++meeting;
-    REQUIRE(-s.distance <= depth + 1e-6);
-    differing += depth + s.distance > 1e-3 * depth;
+    const Vec3 d(direction.v[0], direction.v[1], direction.v[2]);
+    const double theirs = reach(a, d) + reach(b, -d);
+    REQUIRE(-double(s.distance) <= theirs + 16 * k_u);
+    differing += theirs + double(s.distance) > 1e-3 * theirs;
   }
   CHECK(meeting > 1000);
-  CHECK(differing < 40);
+  CHECK(differing < meeting / 5);
 }

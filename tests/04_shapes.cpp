@@ -217,6 +217,19 @@ TEST_CASE("a half-space answers by the lowest point, another one without end") {
   CHECK(both.reason == Reason::unbounded);
 }
 
+TEST_CASE("closed forms of numbers that are too large say so") {
+  constexpr Real huge = std::numeric_limits<Real>::max();
+  constexpr Real k_nan = std::numeric_limits<Real>::quiet_NaN();
+  const Pose left{{-huge, 0, 0}}, right{{huge, 0, 0}}, nowhere{{k_nan, 0, 0}};
+  const Shape sphere = Sphere{1}, box = Box{{1, 1, 1}}, capsule = Capsule{1, 1};
+  const Shape cylinder = Cylinder{1, 1}, ground = HalfSpace{{1, 0, 0}, 0};
+  for (const Shape& other : {sphere, box, capsule, cylinder, ground}) {
+    CHECK(closed_form(sphere, left, other, right)->reason == Reason::out_of_range);
+    CHECK(closed_form(sphere, nowhere, other, {})->reason == Reason::out_of_range);
+  }
+  CHECK(closed_form(capsule, left, capsule, right)->reason == Reason::out_of_range);
+}
+
 TEST_CASE("closed forms and GJK with EPA are of one opinion") {
   Random random(11);
   std::array<std::vector<Vec3>, 2> points;

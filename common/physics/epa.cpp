@@ -90,7 +90,7 @@ Simplex closest_on_face(const Polytope& polytope, const std::array<Index, 3>& fa
   return simplex;
 }
 
-// (4.14) The witness points are where the difference's boundary is closest to the
+// (4.15) The witness points are where the difference's boundary is closest to the
 // origin: on the face found, or on another in the same plane
 Simplex witnesses(const Epa& epa) {
   const Vec3 point = epa.depth * epa.outward;
@@ -124,6 +124,31 @@ Separation in_world(const MinkowskiDifference& difference, const Pose& pose_a,
   s.on_a = a + beside;
   s.on_b = b - beside;
   s.error = k_rounding * (difference.unit + radius_a + radius_b);
+  return s;
+}
+
+// (4.16) Where the cores meet, or are so close that only planes through their features
+// tell
+Separation separation_by_epa(const MinkowskiDifference& difference, const Gjk& gjk,
+                             const Pose& pose_a, const Pose& pose_b) {
+  Epa epa;
+  epa_start(difference, gjk.simplex, epa);
+  while (!epa.done) epa_step(difference, epa);
+  Separation s;
+  if (!cores_meet(gjk) && gjk.lower > k_rounding) {
+    const Vec3 normal = -epa.depth > gjk.lower ? -epa.outward : gjk.normal;
+    const Real distance = glm::length(gjk.v);
+    s = in_world(difference, pose_a, pose_b, gjk.simplex, distance, normal);
+  } else {
+    Simplex witness = gjk.simplex;
+    if (epa.reason == Reason::flat)
+      reduce_to_closest_face(witness);
+    else
+      witness = witnesses(epa);
+    s = in_world(difference, pose_a, pose_b, witness, -epa.depth, -epa.outward);
+  }
+  s.iterations = gjk.iterations + epa.iterations;
+  s.reason = epa.reason;
   return s;
 }
 
@@ -175,35 +200,6 @@ void epa_step(const MinkowskiDifference& difference, Epa& epa) {
     epa.stuck = std::min(epa.stuck, face.offset);
   }
 }
-
-namespace {
-
-// (4.15) Where the cores meet, or are so close that only planes through their features
-// tell
-Separation separation_by_epa(const MinkowskiDifference& difference, const Gjk& gjk,
-                             const Pose& pose_a, const Pose& pose_b) {
-  Epa epa;
-  epa_start(difference, gjk.simplex, epa);
-  while (!epa.done) epa_step(difference, epa);
-  Separation s;
-  if (!cores_meet(gjk) && gjk.lower > k_rounding) {
-    const Vec3 normal = -epa.depth > gjk.lower ? -epa.outward : gjk.normal;
-    const Real distance = glm::length(gjk.v);
-    s = in_world(difference, pose_a, pose_b, gjk.simplex, distance, normal);
-  } else {
-    Simplex witness = gjk.simplex;
-    if (epa.reason == Reason::flat)
-      reduce_to_closest_face(witness);
-    else
-      witness = witnesses(epa);
-    s = in_world(difference, pose_a, pose_b, witness, -epa.depth, -epa.outward);
-  }
-  s.iterations = gjk.iterations + epa.iterations;
-  s.reason = epa.reason;
-  return s;
-}
-
-}  // namespace
 
 Separation separation(const Convex& a, const Pose& pose_a, const Convex& b,
                       const Pose& pose_b, GjkCache* cache) {

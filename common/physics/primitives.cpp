@@ -1,7 +1,6 @@
 #include "common/physics/primitives.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +11,13 @@ constexpr Real k_epsilon = std::numeric_limits<Real>::epsilon();
 
 Real length_of(const Vec3& v) {
   return std::hypot(v.x, v.y, v.z);
+}
+
+// Differences of very large numbers may be too large for Real
+Separation if_in_range(const Separation& s) {
+  return std::isfinite(s.distance + s.error)
+             ? s
+             : Separation{.reason = Reason::out_of_range};
 }
 
 // A ball about a point of A's core and one about a point of B's, from A's position. The
@@ -33,7 +39,7 @@ Separation balls(const Balls& pair, const Vec3& origin) {
   s.on_a = origin + (pair.on_a + pair.radius_a * s.normal);
   s.on_b = origin + (pair.on_b - pair.radius_b * s.normal);
   s.error = rounding + 8 * k_epsilon * (distance + radii);
-  return s;
+  return if_in_range(s);
 }
 
 // A capsule's core, its middle from A's position
@@ -104,7 +110,29 @@ Separation from_centre(const Sphere& a, const Pose& pose_a, const Pose& pose_b,
   s.on_a = pose_a.position + a.radius * s.normal;
   s.on_b = pose_a.position + direction_in_world(pose_b, surface - centre);
   s.error = 8 * k_epsilon * (size + length_of(centre) + a.radius);
-  return s;
+  return if_in_range(s);
+}
+
+// The pair in the order in which its function takes it
+std::optional<Separation> in_order(const Shape& a, const Pose& pose_a, const Shape& b,
+                                   const Pose& pose_b) {
+  if (const auto* plane = std::get_if<HalfSpace>(&b))
+    return any_half_space(a, pose_a, *plane, pose_b);
+  if (const auto* sphere = std::get_if<Sphere>(&a)) {
+    if (const auto* other = std::get_if<Sphere>(&b))
+      return sphere_sphere(*sphere, pose_a, *other, pose_b);
+    if (const auto* box = std::get_if<Box>(&b))
+      return sphere_box(*sphere, pose_a, *box, pose_b);
+    if (const auto* capsule = std::get_if<Capsule>(&b))
+      return sphere_capsule(*sphere, pose_a, *capsule, pose_b);
+    if (const auto* cylinder = std::get_if<Cylinder>(&b))
+      return sphere_cylinder(*sphere, pose_a, *cylinder, pose_b);
+  }
+  const auto* capsule = std::get_if<Capsule>(&a);
+  const auto* other = std::get_if<Capsule>(&b);
+  if (capsule != nullptr && other != nullptr)
+    return capsule_capsule(*capsule, pose_a, *other, pose_b);
+  return {};
 }
 
 }  // namespace
@@ -218,34 +246,8 @@ Separation any_half_space(const Shape& a, const Pose& pose_a, const HalfSpace& b
   s.on_b = s.on_a - s.distance * up;
   s.error = 8 * k_epsilon
             * (length_of(between) + body.reach + body.radius + std::abs(b.offset));
-  return s;
+  return if_in_range(s);
 }
-
-namespace {
-
-// The pair in the order in which its function takes it
-std::optional<Separation> in_order(const Shape& a, const Pose& pose_a, const Shape& b,
-                                   const Pose& pose_b) {
-  if (const auto* plane = std::get_if<HalfSpace>(&b))
-    return any_half_space(a, pose_a, *plane, pose_b);
-  if (const auto* sphere = std::get_if<Sphere>(&a)) {
-    if (const auto* other = std::get_if<Sphere>(&b))
-      return sphere_sphere(*sphere, pose_a, *other, pose_b);
-    if (const auto* box = std::get_if<Box>(&b))
-      return sphere_box(*sphere, pose_a, *box, pose_b);
-    if (const auto* capsule = std::get_if<Capsule>(&b))
-      return sphere_capsule(*sphere, pose_a, *capsule, pose_b);
-    if (const auto* cylinder = std::get_if<Cylinder>(&b))
-      return sphere_cylinder(*sphere, pose_a, *cylinder, pose_b);
-  }
-  const auto* capsule = std::get_if<Capsule>(&a);
-  const auto* other = std::get_if<Capsule>(&b);
-  if (capsule != nullptr && other != nullptr)
-    return capsule_capsule(*capsule, pose_a, *other, pose_b);
-  return {};
-}
-
-}  // namespace
 
 std::optional<Separation> closed_form(const Shape& a, const Pose& pose_a,
                                       const Shape& b, const Pose& pose_b) {

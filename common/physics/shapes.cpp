@@ -98,7 +98,10 @@ Vec3 any_perpendicular(const Vec3& unit) {
 
 HullShape hull_shape(std::span<const Vec3> vertices) {
   Real reach = 0;
-  for (const Vec3& v : vertices) reach = std::max(reach, std::hypot(v.x, v.y, v.z));
+  for (const Vec3& v : vertices) {
+    const Real distance = std::hypot(v.x, v.y, v.z);
+    if (distance > reach || std::isnan(distance)) reach = distance;
+  }
   return {.vertices = vertices, .reach = reach};
 }
 

@@ -142,6 +142,7 @@ Vec3 area_normal(const Vec3& p, const Vec3& q, const Vec3& r) {
   constexpr Real k_thin = Real(1) / 64;  // sine of the angle at p
   const Vec3 e = q - p, f = r - p, n = glm::cross(e, f);
   if (squared(n) > k_thin * k_thin * squared(e) * squared(f)) return n;
+
   // From the two shorter edges, of which less cancels
   const WideVec3 pq = WideVec3(q) - WideVec3(p), qr = WideVec3(r) - WideVec3(q);
   const WideVec3 rp = WideVec3(p) - WideVec3(r);
