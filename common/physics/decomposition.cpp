@@ -44,7 +44,7 @@ bool is_inside(const Surface& mesh, const Vec3& point) {
   return covered > Real(3.5 * std::numbers::pi);
 }
 
-// (4.11) The part of a triangle where side (x[axis] - at) <= 0, in triangles. One in
+// (4.29) The part of a triangle where side (x[axis] - at) <= 0, in triangles. One in
 // the plane itself is a part of the half that it is the surface of.
 void add_clipped(const std::array<Vec3, 3>& triangle, glm::length_t axis, Real at,
                  Real side, Surface& result) {

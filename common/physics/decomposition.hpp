@@ -25,7 +25,7 @@ struct Decomposition {
   std::string fault;  ///< why there are no parts, see `mesh_fault`; empty if there are
 };
 
-/// (4.13) Begins with the hull of the whole mesh [m]. Then, again and again, cuts that
+/// (4.28) Begins with the hull of the whole mesh [m]. Then, again and again, cuts that
 /// part in two which loses most volume by it: each half is as large as its own hull,
 /// and a hull bridges fewer hollows the smaller its part is. Time grows with triangles
 /// times parts.

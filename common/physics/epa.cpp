@@ -90,7 +90,7 @@ Simplex closest_on_face(const Polytope& polytope, const std::array<Index, 3>& fa
   return simplex;
 }
 
-// (4.15) The witness points are where the difference's boundary is closest to the
+// (4.20) The witness points are where the difference's boundary is closest to the
 // origin: on the face found, or on another in the same plane
 Simplex witnesses(const Epa& epa) {
   const Vec3 point = epa.depth * epa.outward;
@@ -127,7 +127,7 @@ Separation in_world(const MinkowskiDifference& difference, const Pose& pose_a,
   return s;
 }
 
-// (4.16) Where the cores meet, or are so close that only planes through their features
+// (4.21) Where the cores meet, or are so close that only planes through their features
 // tell
 Separation separation_by_epa(const MinkowskiDifference& difference, const Gjk& gjk,
                              const Pose& pose_a, const Pose& pose_b) {

@@ -10,7 +10,7 @@
 
 namespace timestep::inline TIMESTEP_PRECISION {
 
-/// (4.13) EPA between two of its steps. `depth` [units] is how far B has to move
+/// (4.18) EPA between two of its steps. `depth` [units] is how far B has to move
 /// against `outward` to come free, the least found so far; `face` has the vertices of
 /// the face with this normal. It was measured, not estimated, so it is enough whatever
 /// happens.
@@ -34,7 +34,7 @@ constexpr int k_epa_limit = 2 * k_polytope_vertices;
 /// (up to rounding), that is all: done, with the normal of its plane.
 void epa_start(const MinkowskiDifference& difference, const Simplex& simplex, Epa& epa);
 
-/// (4.14) One step: the support point behind the face closest to the origin, and the
+/// (4.19) One step: the support point behind the face closest to the origin, and the
 /// hull of the polytope and that point. Done once nothing is farther out than that
 /// face.
 void epa_step(const MinkowskiDifference& difference, Epa& epa);

@@ -58,7 +58,7 @@ void gjk_step(const MinkowskiDifference& difference, Gjk& gjk) {
   if (lower > gjk.lower - k_rounding / 8) gjk.normal = normal;
   gjk.lower = std::max(gjk.lower, lower);
 
-  // (4.11) The duality gap; times |v| it is the v.v - v.w of the textbooks. Rounding
+  // (4.16) The duality gap; times |v| it is the v.v - v.w of the textbooks. Rounding
   // may keep it open, but then neither bound moves any more
   const Real gap = upper - gjk.lower;
   const Reason at_rest = gap <= k_rounding ? Reason::converged : Reason::no_progress;

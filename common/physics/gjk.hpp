@@ -17,7 +17,7 @@ struct GjkCache {
   Simplex simplex;
 };
 
-/// (4.9) GJK between two of its steps: the simplex in the Minkowski difference of the
+/// (4.14) GJK between two of its steps: the simplex in the Minkowski difference of the
 /// cores, its point v closest to the origin, and a lower bound of the distance, all in
 /// the difference's units.
 struct Gjk {
@@ -36,7 +36,7 @@ constexpr int k_gjk_limit = 100;
 /// From the simplex of the cache, if it holds one, or from one support point.
 Gjk gjk_start(const MinkowskiDifference& difference, const GjkCache* cache);
 
-/// (4.10) One step: the support point towards the origin, then the reduced simplex. Done
+/// (4.15) One step: the support point towards the origin, then the reduced simplex. Done
 /// once the bounds are as close as rounding lets them be, the simplex holds the origin,
 /// or v stops to come closer.
 void gjk_step(const MinkowskiDifference& difference, Gjk& gjk);

@@ -57,7 +57,7 @@ void fill(const SupportingFace& face, SideName body, Polygon& polygon) {
     polygon.add({face.corners[i], face.sides[i] | body});
 }
 
-// (4.11) What of a polygon is not above a plane, by Sutherland and Hodgman
+// (4.26) What of a polygon is not above a plane, by Sutherland and Hodgman
 void clip(const Polygon& polygon, const Vec3& normal, Real offset, SideName side,
           Polygon& result) {
   result.count = 0;
@@ -80,7 +80,7 @@ std::uint64_t feature(SideName a, SideName b) {
   return std::uint64_t(high) << 32 | low;
 }
 
-// (4.10) The corners of what two faces share, seen along the normal, with the chords
+// (4.25) The corners of what two faces share, seen along the normal, with the chords
 // there. `across` is the normal from the reference face's side.
 Candidates chords(const SupportingFace& reference, SideName reference_body,
                   const SupportingFace& incident, SideName incident_body,
@@ -118,7 +118,7 @@ const ContactPoint& deepest_of(std::span<const ContactPoint> points, Real slack)
       points, [&](const ContactPoint& p) { return p.depth >= enough; });
 }
 
-// (4.12) The deepest point, and of all quadrangles (or triangles) with a corner there
+// (4.27) The deepest point, and of all quadrangles (or triangles) with a corner there
 // the largest: a diagonal, and the point furthest from it on either side
 void keep_four(std::span<const ContactPoint> points, Real slack, Manifold& manifold) {
   const ContactPoint& first = deepest_of(points, slack);

@@ -11,7 +11,7 @@
 
 namespace timestep::inline TIMESTEP_PRECISION {
 
-/// (4.10) A chord along the manifold's normal, from the surface of one shape to that of
+/// (4.25) A chord along the manifold's normal, from the surface of one shape to that of
 /// the other.
 struct ContactPoint {
   Vec3 position;  ///< [m] its middle, world

@@ -18,7 +18,7 @@ struct SupportPoint {
   std::uint32_t vertex_a, vertex_b;
 };
 
-/// (4.5) Two cores in A's frame, in a unit of length (a power of two, so that scaling
+/// (4.10) Two cores in A's frame, in a unit of length (a power of two, so that scaling
 /// rounds nothing) in which all their points are within 1 of A's origin, or B's of 1.
 /// So one bound on rounding serves all sizes, and squares neither overflow nor vanish.
 struct MinkowskiDifference {
@@ -41,7 +41,7 @@ MinkowskiDifference minkowski_difference(const Convex& a, const Pose& pose_a,
 /// Where the difference of two points a and b [m] is, each in its own shape's frame.
 Vec3 difference_at(const MinkowskiDifference& difference, const Vec3& a, const Vec3& b);
 
-/// (4.6) The point of B - A with the least dot(direction, w): what of B reaches
+/// (4.11) The point of B - A with the least dot(direction, w): what of B reaches
 /// farthest back against the direction, less what of A reaches farthest forward.
 SupportPoint support(const MinkowskiDifference& difference, const Vec3& direction,
                      const SupportPoint& near = {});

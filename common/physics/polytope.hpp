@@ -42,7 +42,7 @@ int closest_face(const Polytope& polytope);
 /// Whether one of its vertices is at this point.
 bool has_vertex(const Polytope& polytope, const Vec3& w);
 
-/// (4.12) The hull of the polytope and a point in front of a face, for which there must
+/// (4.17) The hull of the polytope and a point in front of a face, for which there must
 /// be room: all faces that the point sees go, and a fan of triangles closes the hole.
 /// False, with the polytope as it was, where rounding leaves no such hull.
 bool expand(Polytope& polytope, int face, const SupportPoint& point);

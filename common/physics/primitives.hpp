@@ -15,11 +15,11 @@ namespace timestep::inline TIMESTEP_PRECISION {
 // Each right to a few roundings of the pair's size, which `error` bounds. Where several
 // normals serve, the one that is named.
 
-/// (4.17) Coincident centres: along z.
+/// (4.5) Coincident centres: along z.
 Separation sphere_sphere(const Sphere& a, const Pose& pose_a, const Sphere& b,
                          const Pose& pose_b);
 
-/// (4.18) A centre inside the box goes out through the nearest face: in a tie the first
+/// (4.6) A centre inside the box goes out through the nearest face: in a tie the first
 /// of x, y, z, on its positive side.
 Separation sphere_box(const Sphere& a, const Pose& pose_a, const Box& b,
                       const Pose& pose_b);
@@ -28,18 +28,18 @@ Separation sphere_box(const Sphere& a, const Pose& pose_a, const Box& b,
 Separation sphere_capsule(const Sphere& a, const Pose& pose_a, const Capsule& b,
                           const Pose& pose_b);
 
-/// (4.19) Crossing axes part along their common perpendicular, axes on one line at
+/// (4.7) Crossing axes part along their common perpendicular, axes on one line at
 /// right angles to it. Of parallel ones that pass each other the witness points are
 /// some pair.
 Separation capsule_capsule(const Capsule& a, const Pose& pose_a, const Capsule& b,
                            const Pose& pose_b);
 
-/// (4.20) A centre inside goes out through the side or the nearer flat face, whichever
+/// (4.8) A centre inside goes out through the side or the nearer flat face, whichever
 /// is nearer; in a tie the side, in the other the upper face; from the axis along x.
 Separation sphere_cylinder(const Sphere& a, const Pose& pose_a, const Cylinder& b,
                            const Pose& pose_b);
 
-/// (4.21) Any shape by its support point against the normal. Two half-spaces overlap
+/// (4.9) Any shape by its support point against the normal. Two half-spaces overlap
 /// without end: their distance is -infinity, the reason `unbounded`.
 Separation any_half_space(const Shape& a, const Pose& pose_a, const HalfSpace& b,
                           const Pose& pose_b);

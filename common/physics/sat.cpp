@@ -88,7 +88,7 @@ BoxPair box_pair(const Box& a, const Pose& pose_a, const Box& b, const Pose& pos
       a.half_extents, b.half_extents, b_in_a, {sizes(R[0]), sizes(R[1]), sizes(R[2])}};
 }
 
-// (4.8) Along the face normals of both, whose rows and columns are entries of R
+// (4.23) Along the face normals of both, whose rows and columns are entries of R
 void try_faces(const BoxPair& pair, Axis& best) {
   const auto& [R, t] = pair.b_in_a;
   const Vec3 along_a = sizes(t) - pair.a - pair.size * pair.b;
@@ -103,7 +103,7 @@ void try_faces(const BoxPair& pair, Axis& best) {
       best = {along_b[i], R[i], SatFeature::face_of_b, 0, Index(i)};
 }
 
-// (4.8) The same across edge j of B and each edge of A, times the sine of their angle
+// (4.23) The same across edge j of B and each edge of A, times the sine of their angle
 Vec3 gaps_across(const BoxPair& pair, glm::length_t j) {
   const auto& [R, t] = pair.b_in_a;
   const glm::length_t k = (j + 1) % 3, l = (j + 2) % 3;
@@ -208,7 +208,7 @@ Edge placed(const Edge& e, const Placement& by) {
   return {by.R * e.from + by.t, by.R * e.along, by.R * e.left, by.R * e.right};
 }
 
-// (4.9) Two edges make a face of the Minkowski difference A - B if, on the unit sphere,
+// (4.24) Two edges make a face of the Minkowski difference A - B if, on the unit sphere,
 // the arc from one normal to the other of A's edge crosses that of B's, mirrored
 bool arcs_cross(const Edge& a, const Edge& b) {
   const Real left_b = glm::dot(b.left, a.along), right_b = glm::dot(b.right, a.along);

@@ -28,11 +28,11 @@ struct SatResult {
   std::int64_t edge_pairs = 0;  ///< that were looked at for axes
 };
 
-/// (4.8) Two boxes: 3 + 3 face normals and 9 directions across an edge of each. A face
+/// (4.23) Two boxes: 3 + 3 face normals and 9 directions across an edge of each. A face
 /// is preferred to edges that are better by rounding alone.
 SatResult sat(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b);
 
-/// (4.9) Two hulls: all face normals of both, and the direction across each pair of
+/// (4.24) Two hulls: all face normals of both, and the direction across each pair of
 /// edges that makes a face of their Minkowski difference. The pairs to look at grow
 /// with the product of the edge counts. Faces are preferred as above.
 SatResult sat(const ConvexHull& a, const Pose& pose_a, const ConvexHull& b,

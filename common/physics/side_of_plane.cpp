@@ -92,7 +92,7 @@ double minor(const Twice& a, const Twice& b, const Twice& c, const Twice& d) {
 
 int side_of_plane(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                   const glm::dvec3& p) {
-  // (4.1) in double, and the same with all signs positive: what can be lost of it
+  // (4.22) in double, and the same with all signs positive: what can be lost of it
   const glm::dvec3 u = b - a, v = c - a, w = p - a;
   double determinant = 0, positive = 0;
   for (glm::length_t i = 0; i < 3; ++i) {

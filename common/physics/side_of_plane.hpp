@@ -11,7 +11,7 @@
 
 namespace timestep::inline TIMESTEP_PRECISION {
 
-/// (4.1) The sign of det(b - a, c - a, p - a): 1 where a, b, c are seen
+/// (4.22) The sign of det(b - a, c - a, p - a): 1 where a, b, c are seen
 /// counter-clockwise from p, -1 on the other side, 0 exactly in their plane. Never
 /// wrong: where rounding leaves the sign open, the determinant is summed again without
 /// rounding. Coordinates must be 0 or within 2^-200 to 2^200, so that no product leaves

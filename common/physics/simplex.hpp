@@ -11,7 +11,7 @@
 
 namespace timestep::inline TIMESTEP_PRECISION {
 
-/// (4.7) The normal of a triangle, twice as long as its area, counter-clockwise. Of one
+/// (4.12) The normal of a triangle, twice as long as its area, counter-clockwise. Of one
 /// that is thin, whose plane rounding would tilt, in the next wider type than Real.
 Vec3 area_normal(const Vec3& p, const Vec3& q, const Vec3& r);
 
@@ -22,7 +22,7 @@ struct Simplex {
   int size = 0;
 };
 
-/// (4.8) Reduces a simplex to the vertex, edge or face that the point closest to the
+/// (4.13) Reduces a simplex to the vertex, edge or face that the point closest to the
 /// origin is on, sets its weights and returns that point. A tetrahedron around the
 /// origin stays whole, and the point is the origin.
 ///
