@@ -3,12 +3,20 @@
 results() takes the medians out of what Google Benchmark wrote:
 
     {"machine": …, "compiler": …, "Odeint": …, "GSL": …, "Bullet": …, "ODE": …,
+     "FCL": …,
      "medians": {"particles/rk4/swarm/double/4096": {"ns": …, "million_per_second": …},
                  "bandwidth/triad/double/1000000/2": {"GB_per_second": …},
                  "kepler/rk4/alone": {"ns": …, "energy_error": …},
                  "rotation/momentum/single/1000": {"million_per_second": …, "ns": …},
                  "top/momentum/single": {"attitude_error_1_s": …, "energy_change": …,
-                                         "flips": …, "flips_energy_change": …}}}
+                                         "flips": …, "flips_energy_change": …},
+                 "contacts/hull32/depth/gjk_epa/double": {"ns": …, "wrong": …,
+                                                          "error": …, "worst_error": …},
+                 "growth/depth/sat/64": {"ns": …, "edge_pairs": …},
+                 "pairs/geometry_public/Bullet": {"asked": …, "off_6": …, "off_9": …,
+                         "wrong_side": …, "no_answer": …, "no_end": …}}}
+
+The last, which counts answers to the pairs of a truth file, is pair-peers' own: no time.
 
 bench/results.json is such a file: what `./timestep bench --publish` measured last. The
 text quotes it.
@@ -33,9 +41,11 @@ UNITS = {"items_per_second": ("million_per_second", 1e-6),
          "bytes_per_second": ("GB_per_second", 1e-9),
          **{key: (key, 1) for key in (
              "energy_error", "kept", "attitude_error_1_s", "attitude_error_10_s",
-             "attitude_error_100_s", "energy_change", "flips", "flips_energy_change")}}
-LIBRARIES = ("Odeint", "GSL", "Bullet", "ODE")
-PARTS = ("particles", "kepler", "all", "rotation", "top")
+             "attitude_error_100_s", "energy_change", "flips", "flips_energy_change",
+             "wrong", "error", "worst_error", "edge_pairs")}}
+LIBRARIES = ("Odeint", "GSL", "Bullet", "ODE", "FCL")
+PARTS = ("particles", "kepler", "all", "rotation", "top", "pairs", "contacts", "growth")
+PAIR_FILES = ("geometry_public", "robustness_public")
 WITHOUT_GYROSCOPIC_TERM = "constant_omega"
 # Who takes the same step, or one of the same order
 PEERS = {
@@ -46,6 +56,19 @@ PEERS = {
     "yoshida4_dkd": {"Odeint": ["symplectic_rkn_sb3a_mclachlan"]},
     "rk4": {"Odeint": ["runge_kutta4", "runge_kutta4_classic"], "GSL": ["rk4"]},
     "dopri5": {"Odeint": ["runge_kutta_dopri5"], "GSL": ["rkf45"]},
+}
+# What is asked of the random pairs of chapter 4, in the order of the table's rows
+QUESTIONS = ("sphere_box", "box_box", "hull32", "hull1000",
+             "boolean", "distance", "depth", "manifold")
+# Who answers, in the order of its columns
+ANSWERED_BY = {
+    "formula or SAT": ("closed_form/double", "sat/double"),
+    "GJK and EPA": ("gjk_epa/double",),
+    "the same, warm": ("gjk_epa_warm/double",),
+    "libccd, EPA": ("libccd_epa/double",), "libccd, MPR": ("libccd_mpr/double",),
+    "FCL": ("FCL/double",), "FCL, signed": ("FCL_signed/double",),
+    "Bullet, GJK": ("Bullet/single", "Bullet/double"),
+    "Bullet, boxes": ("Bullet_boxes/single", "Bullet_boxes/double"),
 }
 
 
@@ -75,11 +98,22 @@ class Cell:
 
     values: tuple[float | str | None, ...]
     spec: str
+    parts: tuple[str, str] = PRECISIONS  # what two values are
 
     def __str__(self) -> str:
         texts = [f"`{value}`" if isinstance(value, str) else written(value, self.spec)
                  for value in self.values]
         return "–" if set(texts) == {"–"} else " / ".join(texts)
+
+
+class Answer(Cell):
+    """Nanoseconds, and in brackets how many of a thousand are wrong, if any."""
+
+    def __str__(self) -> str:
+        ns, wrong = self.values
+        if ns is None:
+            return "–"
+        return written(ns, self.spec) + (f" ({wrong:.0f})" if wrong else "")
 
 
 class Tables:
@@ -89,7 +123,12 @@ class Tables:
         self.medians = measured["medians"]
         names = [name.split("/") for name in self.medians]
         self.methods = list(dict.fromkeys(n[1] for n in names if "whole" in n))
+        self.questions = sorted({"/".join(n[1:3]) for n in names if n[0] == "contacts"},
+                                key=lambda each: [*map(QUESTIONS.index,
+                                                       each.split("/"))])
+        self.sizes = sorted({int(n[3]) for n in names if n[0] == "growth"})
         self.turning = list(dict.fromkeys(n[1] for n in names if n[0] == "top"))
+        self.answering = list(dict.fromkeys(n[2] for n in names if n[0] == "pairs"))
 
     def value(self, name: str, key: str) -> float | None:
         return self.medians.get(name, {}).get(key)
@@ -179,13 +218,66 @@ class Tables:
                 "flips, 60 s": of("flips", ".0f"),
                 "energy of the flipping, 60 s": of("flips_energy_change", "+.1e")}
 
+    def pairs(self, method: str) -> dict[str, Cell]:
+        """How many of the exact pairs, and of those that broke others, go wrong."""
+        def of(key: str) -> Cell:
+            names = [f"pairs/{file}/{method}" for file in PAIR_FILES]
+            return Cell(tuple(self.value(name, key) for name in names), ".0f")
+
+        return {"asked": of("asked"),
+                "off by 10⁻⁶": of("off_6"), "off by 10⁻⁹": of("off_9"),
+                "wrong side": of("wrong_side"),
+                "no answer": of("no_answer"), "no end": of("no_end")}
+
+    def contacts(self, question: str) -> dict[str, Cell]:
+        """What an answer takes each, and ours over those that are used most."""
+        def answer(methods: tuple[str, ...]) -> Answer:
+            names = [f"contacts/{question}/{method}" for method in methods]
+            name = next((n for n in names if n in self.medians), "")
+            return Answer((self.value(name, "ns"), self.value(name, "wrong")), ",.0f",
+                          ("ns", "wrong"))
+
+        row = {heading: answer(methods) for heading, methods in ANSWERED_BY.items()}
+        ns = {heading: cell.values[0] for heading, cell in row.items()}
+
+        def over(ours: str, peer: str) -> Cell:
+            both = ns[ours] and ns[peer]
+            return Cell((ns[ours] / ns[peer] if both else None,), ".2f")
+
+        return row | {"warm / cold": over("the same, warm", "GJK and EPA"),
+                      "GJK and EPA / libccd's": over("GJK and EPA", "libccd, EPA"),
+                      "GJK and EPA / Bullet's": over("GJK and EPA", "Bullet, GJK"),
+                      "SAT / Bullet's boxes": over("formula or SAT", "Bullet, boxes")}
+
+    def growth(self, vertices: int) -> dict[str, Cell]:
+        """What hulls of so many vertices take."""
+        def of(what: str, key: str = "ns") -> Cell:
+            return Cell((self.value(f"growth/{what}/{vertices}", key),), ",.0f")
+
+        return {"distance, GJK [ns]": of("distance/gjk_epa"),
+                "depth, GJK and EPA [ns]": of("depth/gjk_epa"),
+                "depth, SAT [ns]": of("depth/sat"),
+                "pairs of edges": of("depth/sat", "edge_pairs")}
+
+    def rows_not_by_method(self, part: str) -> list[dict[str, Cell]]:
+        if part == "growth":
+            return [{"vertices": Cell((n,), ",.0f")} | self.growth(n)
+                    for n in self.sizes]
+        return [{"pairs": Cell((each.split("/")[0],), ""),
+                 "asked for": Cell((each.split("/")[1],), "")} | self.contacts(each)
+                for each in self.questions]
+
     def rows(self, part: str) -> list[dict[str, Cell]]:
         """A row a method of one of PARTS, if there is anything. "all" is what has a
         row for every method that moves particles."""
+        if part in ("contacts", "growth"):
+            return self.rows_not_by_method(part)
         columns = {"particles": [self.particles], "kepler": [self.kepler],
                    "all": [self.particles, self.kepler],
-                   "rotation": [self.rotation], "top": [self.top]}[part]
-        methods = self.turning if part in ("rotation", "top") else self.methods
+                   "rotation": [self.rotation], "top": [self.top],
+                   "pairs": [self.pairs]}[part]
+        methods = {"rotation": self.turning, "top": self.turning,
+                   "pairs": self.answering}.get(part, self.methods)
         rows = []
         for method in methods:
             cells = {}
@@ -220,7 +312,7 @@ def comma_separated(rows: list[dict[str, Cell]]) -> str:
     head = []
     for heading, cell in rows[0].items():
         both = len(cell.values) == 2
-        head += [f"{heading}, {p}" for p in PRECISIONS] if both else [heading]
+        head += [f"{heading}, {p}" for p in cell.parts] if both else [heading]
     writer.writerow(head)
     writer.writerows([value for cell in row.values() for value in cell.values]
                      for row in rows)

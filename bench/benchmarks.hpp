@@ -1,8 +1,9 @@
 /// @file
 /// What is measured. Every function adds its benchmarks, by names that bench_table.py
 /// reads: particles/METHOD/FORM/PRECISION/COUNT, kepler/METHOD/FORM,
-/// bandwidth/KERNEL/PRECISION/COUNT/VECTORS, rotation/METHOD/PRECISION/COUNT and
-/// top/METHOD/PRECISION.
+/// bandwidth/KERNEL/PRECISION/COUNT/VECTORS, rotation/METHOD/PRECISION/COUNT,
+/// top/METHOD/PRECISION, contacts/PAIRS/QUESTION/METHOD/PRECISION and
+/// growth/QUESTION/METHOD/VERTICES.
 #pragma once
 
 #include "common/physics/precision.hpp"
@@ -11,6 +12,7 @@ namespace timestep {
 namespace single_precision::bench {
 void add_particles();
 void add_rotation();
+void add_contacts_of_ours();
 }  // namespace single_precision::bench
 namespace double_precision::bench {
 void add_particles();
@@ -20,5 +22,10 @@ void add_kepler_with_gsl();
 void add_rotation();
 void add_rotation_with_bullet();
 void add_rotation_with_ode();
+void add_contacts_of_ours();
+void add_contacts_of_libccd();
+void add_contacts_of_fcl();
+void add_contacts_of_bullet();
+void add_growth();
 }  // namespace double_precision::bench
 }  // namespace timestep

@@ -35,6 +35,18 @@ int main(int argc, char** argv) {
   benchmark::AddCustomContext("ODE", TIMESTEP_ODE);
 #endif
 
+  timestep::single_precision::bench::add_contacts_of_ours();
+  timestep::double_precision::bench::add_contacts_of_ours();
+  timestep::double_precision::bench::add_contacts_of_libccd();
+#if defined(TIMESTEP_FCL)
+  timestep::double_precision::bench::add_contacts_of_fcl();
+  benchmark::AddCustomContext("FCL", TIMESTEP_FCL);
+#endif
+#if defined(TIMESTEP_BULLET)
+  timestep::double_precision::bench::add_contacts_of_bullet();
+#endif
+  timestep::double_precision::bench::add_growth();
+
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

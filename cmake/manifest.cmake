@@ -13,5 +13,6 @@ set(timestep_manifest
     rotation_momentum rotor_splitting rotation_runge_kutta rotations rigid_body exact_top
     exact_cue_ball"
   "04-contacts: pose separation shapes minkowski simplex polytope gjk epa primitives
-    side_of_plane quickhull convex_hull sat manifold decomposition"
+    side_of_plane quickhull convex_hull sat manifold decomposition
+    libccd_query pair_query compound"
 )

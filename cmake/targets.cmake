@@ -15,6 +15,11 @@ if(TIMESTEP_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+if(TIMESTEP_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
 # Same input, same bits: no fused multiply-add behind the reader's back. GCC 12's SLP
 # vectoriser can drop the rounding of (double)(float)x on neighbouring struct members, so
 # it stays off; loops are still vectorised.

@@ -5,6 +5,9 @@ the chapter's figures.py, from the runs that runs.json declares for it:
 
     def energy(runs: dict[str, Run]) -> Figure: …
 
+In place of a run it may name what bench/results.json has of a kind, "bench:contacts/": the
+medians by their whole names.
+
 A figure carries the digest of its runs and of that function, so that whether it is
 fresh can be told without matplotlib.
 """
@@ -13,12 +16,16 @@ from __future__ import annotations
 import ast
 import hashlib
 import importlib.util
+import json
 import sys
 from pathlib import Path
 
+import weave_bench
 from weave_runs import Chapter, WeaveError
 
 sys.dont_write_bytecode = True
+
+BENCH = "bench:"
 
 
 def source_of(file: Path, function: str) -> str:
@@ -35,13 +42,26 @@ def source_of(file: Path, function: str) -> str:
 def runs_of(chapter: Chapter, name: str) -> list[str]:
     if name not in chapter.figures:
         raise WeaveError(f"runs.json of {chapter.name} declares no figure '{name}'")
-    return [run for one in chapter.figures[name] for run in chapter.expand(one)]
+    return [run for one in chapter.figures[name] for run in
+            ([one] if one.startswith(BENCH) else chapter.expand(one))]
+
+
+def measured(chapter: Chapter, name: str) -> dict:
+    """What the benchmarks measured under names that begin so."""
+    start = name.removeprefix(BENCH)
+    medians = weave_bench.results(chapter.folder.parent.parent)["medians"]
+    found = {key: values for key, values in medians.items() if key.startswith(start)}
+    if not found:
+        raise WeaveError(f"bench/results.json has nothing of '{start}'")
+    return found
 
 
 def digest_of(chapter: Chapter, name: str, function: str) -> str:
     digest = hashlib.sha256(source_of(chapter.folder / "figures.py", function).encode())
     for run in runs_of(chapter, name):
-        digest.update(f"{run} {chapter.run(run).digest}".encode())
+        what = (json.dumps(measured(chapter, run)) if run.startswith(BENCH)
+                else chapter.run(run).digest)
+        digest.update(f"{run} {what}".encode())
     return digest.hexdigest()
 
 
@@ -57,7 +77,8 @@ def draw(chapter: Chapter, name: str, function: str, digest: str) -> None:
     spec = importlib.util.spec_from_file_location("chapter_figures", file)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    runs = {run: chapter.run(run) for run in runs_of(chapter, name)}
+    runs = {run: measured(chapter, run) if run.startswith(BENCH) else chapter.run(run)
+            for run in runs_of(chapter, name)}
     figure = getattr(module, function)(runs)
     path = chapter.folder / "figures" / f"{name}.svg"
     path.parent.mkdir(exist_ok=True)

@@ -1,43 +1,22 @@
 // Chapter 4's decomposition of concave meshes. Compiled for each precision.
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "common/physics/decomposition.hpp"
 #include "tests/catch.hpp"
+#include "tests/obj_mesh.hpp"
 #include "tests/polyhedra.hpp"
 
 using namespace timestep;
 
 namespace {
 
-struct Mesh {
-  std::vector<Vec3> vertices;
-  std::vector<Triangle> triangles;
-};
+using Mesh = ObjMesh;
 
 Mesh read_mesh(const std::string& name) {
-  std::ifstream file(TIMESTEP_MESHES "/" + name);
-  Mesh mesh;
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
-    std::string kind;
-    words >> kind;
-    Vec3 p(0);
-    if (kind == "v" && words >> p.x >> p.y >> p.z) mesh.vertices.push_back(p);
-    if (kind != "f") continue;
-    Triangle t{};
-    for (std::uint32_t& i : t) {
-      std::string corner;
-      words >> corner;
-      i = std::uint32_t(std::stoul(corner)) - 1;
-    }
-    mesh.triangles.push_back(t);
-  }
-  return mesh;
+  return read_obj(TIMESTEP_MESHES "/" + name);
 }
 
 // An L of four cubes, turned by an angle about z

@@ -126,7 +126,7 @@ TEST_CASE("points are on both surfaces, and the deepest is as deep as the shapes
   Random random(1);
   int faces = 0, edges = 0, lone = 0, several = 0;
 
-  // 64 u times the faces' reach beside one of them, where its slope is 0.1
+  // 64 u times the faces' reach; more where rounding turns a side a tenth as long
   constexpr double off = 64 * k_u * 5 / 0.1;
   for (int i = 0; i < 20000; ++i) {
     const ConvexHull a = i % 2 == 0 ? random_hull(random, 5 + i % 20)
@@ -151,7 +151,7 @@ TEST_CASE("points are on both surfaces, and the deepest is as deep as the shapes
     for (const ContactPoint& p : points_of(m)) {
       CHECK(p.depth <= -s.distance + off);
       CHECK(p.depth >= -off);
-      lone += p.feature == 0;
+      lone += p.feature == 0 && result.feature != SatFeature::edges;
       if (p.feature == 0) continue;
       CHECK(off_surface(a, pose_a, on_a(m, p)) < off);
       CHECK(off_surface(b, pose_b, on_b(m, p)) < off);

@@ -94,6 +94,55 @@ class BenchTableTest(unittest.TestCase):
         self.assertEqual(row["flips, 60 s"], "21 / 22")
         self.assertEqual(self.row("top", 1)["flips, 60 s"], "3 / –")
 
+    def test_answers_to_random_pairs_say_how_many_are_wrong(self) -> None:
+        self.measured["medians"] |= {
+            "contacts/box_box/depth/sat/double": {"ns": 200.0, "wrong": 0},
+            "contacts/box_box/depth/Bullet_boxes/single": {"ns": 160.0, "wrong": 22},
+            "contacts/sphere_box/distance/gjk_epa/double": {"ns": 400.0, "wrong": 0},
+            "contacts/sphere_box/distance/gjk_epa_warm/double": {"ns": 100.0},
+            "contacts/sphere_box/distance/Bullet/double": {"ns": 1600.0, "wrong": 1}}
+        self.tables = bench_table.Tables(self.measured)
+        row = self.row("contacts", 0)
+        self.assertEqual((row["pairs"], row["asked for"]), ("`sphere_box`", "`distance`"))
+        self.assertEqual(row["GJK and EPA"], "400")
+        self.assertEqual(row["warm / cold"], "0.25")
+        self.assertEqual(row["Bullet, GJK"], "1,600 (1)")
+        self.assertEqual(row["GJK and EPA / Bullet's"], "0.25")
+        self.assertEqual(row["FCL"], "–")
+        row = self.row("contacts", 1)
+        self.assertEqual(row["Bullet, boxes"], "160 (22)")
+        self.assertEqual(row["SAT / Bullet's boxes"], "1.25")
+        text = bench_table.comma_separated(self.tables.rows("contacts"))
+        self.assertIn('"Bullet, boxes, wrong"', text.splitlines()[0])
+
+    def test_growth_by_the_number_of_vertices(self) -> None:
+        self.measured["medians"] |= {
+            "growth/depth/sat/16": {"ns": 4000.0, "edge_pairs": 1764.0},
+            "growth/depth/sat/8": {"ns": 1000.0},
+            "growth/distance/gjk_epa/16": {"ns": 500.0}}
+        self.tables = bench_table.Tables(self.measured)
+        self.assertEqual(self.row("growth", 0)["vertices"], "8")
+        row = self.row("growth", 1)
+        self.assertEqual(row["depth, SAT [ns]"], "4,000")
+        self.assertEqual(row["pairs of edges"], "1,764")
+        self.assertEqual(row["distance, GJK [ns]"], "500")
+        self.assertEqual(row["depth, GJK and EPA [ns]"], "–")
+
+    def test_wrong_answers_to_exact_pairs_and_to_reported_ones(self) -> None:
+        self.measured["medians"] |= {
+            "pairs/geometry_public/sat": {"asked": 308, "off_6": 0, "no_end": 2},
+            "pairs/robustness_public/sat": {"asked": 58, "off_6": 1},
+            "pairs/geometry_public/FCL": {"asked": 322}}
+        self.tables = bench_table.Tables(self.measured)
+        row = self.row("pairs", 0)
+        self.assertEqual(row["method"], "`sat`")
+        self.assertEqual(row["asked"], "308 / 58")
+        self.assertEqual(row["off by 10⁻⁶"], "0 / 1")
+        self.assertEqual(row["no end"], "2 / –")
+        self.assertEqual(row["wrong side"], "–")
+        self.assertEqual(self.row("pairs", 1)["asked"], "322 / –")
+        self.assertEqual(len(self.tables.rows("pairs")), 2)
+
     def test_what_is_not_there_is_a_dash(self) -> None:
         self.assertEqual(self.row("kepler", 0)["GSL"], "–")
         self.assertEqual(self.row("particles", 0)["in cache, swarm [10⁶/s]"], "–")

@@ -348,6 +348,26 @@ TEST_CASE("a session runs in real time, step by step, to its end") {
   CHECK(session.dropped() > 0);
 }
 
+TEST_CASE("a session goes back step by step, to the same states") {
+  const Chapter chapter = countdown_chapter(30);
+  Session session(chapter, {});
+  session.step_back();
+  CHECK(session.lanes()[0].steps == 0);
+  std::vector<double> seen;
+  const auto value = [&] { return session.lanes()[0].metrics.at(0).value; };
+  for (int step = 0; step < 20; ++step) {
+    seen.push_back(value());
+    session.step_once();
+  }
+  CHECK(seen[3] != seen[4]);
+  for (int step = 19; step >= 0; --step) {
+    session.step_back();
+    CHECK(session.lanes()[0].steps == step);
+    CHECK(value() == seen[static_cast<std::size_t>(step)]);
+    CHECK(session.time() == session.plan().time(step));
+  }
+}
+
 TEST_CASE("a session that cannot start says why and does nothing") {
   Chapter chapter = countdown_chapter(30);
   chapter.double_precision[0].start = [](const Setup&) -> std::unique_ptr<Simulation> {

@@ -1,5 +1,5 @@
 /// @file
-/// Random shapes and poses, and the signed distance of two small point clouds' hulls by
+/// Random pairs of shapes, and the signed distance of two small point clouds' hulls by
 /// trying every direction that can be the best.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "common/physics/epa.hpp"
 #include "tests/polyhedra.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION {
@@ -51,6 +52,33 @@ inline Shape random_shape(Random& random, int kind, double size,
   for (int i = 0; i < count; ++i)
     points.push_back(Vec3(s, t, third) * random.in_cube());
   return hull_shape(points);
+}
+
+struct Pair {
+  Shape a, b;
+  Pose pose_a, pose_b;
+  std::array<std::vector<Vec3>, 2> points;  ///< of hulls
+};
+
+inline Separation separation_of(const Pair& p) {
+  return separation(convex(p.a), p.pose_a, convex(p.b), p.pose_b);
+}
+
+/// Turned anyhow, along the same axes, or nearly so.
+inline Pose some_pose(Random& random, const Pose& other, double reach) {
+  Pose pose{Real(reach * random.between(0, 1)) * random.direction(), random.turn()};
+  const auto kind = random.bits() % 4;
+  if (kind == 0) pose.orientation = other.orientation;
+  if (kind == 1)
+    pose.orientation =
+        glm::normalize(other.orientation + Real(1e-7) * pose.orientation);
+  return pose;
+}
+
+/// Moves B until the shapes are a given distance apart.
+inline void bring_to(Pair& pair, double distance) {
+  const Separation s = separation_of(pair);
+  pair.pose_b.position += (Real(distance) - s.distance) * s.normal;
 }
 
 using Exact = long double;

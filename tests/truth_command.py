@@ -20,6 +20,16 @@ STEPS = {"id": "one", "kind": "constant_acceleration_steps",
          "inputs": {"method": "semi_implicit_euler", "dt": 0.5, "n": 2,
                     "x0": [0, 0, 0], "v0": [1, 0, 0], "a": [0, 0, 0]},
          "expected": {"x": [1, 0, 0], "v": [1, 0, 0]}, "tol": {"rel": 0, "abs": 1e-12}}
+POLYHEDRA = {"id": "pair", "kind": "convex_pair",
+             "inputs": {"A": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]},
+                        "B": {"vertices": [[-0.25, 0.25, 0.25]]}},
+             "expected": {"state": "separated", "signed_distance": 0.25,
+                          "directions": [[-1, 0, 0]], "tie_count": 1},
+             "tol": {"rel": 1e-9, "abs": 1e-10}}
+BOXES = {"id": "boxes", "kind": "shape_pair",
+         "inputs": {"A": {"type": "box", "size": [2, 2, 2], "t": [0, 0, 0]},
+                    "B": {"type": "box", "size": [2, 2, 2], "t": [1, 1.5, 1]}},
+         "expected": {"signed_distance": -0.5, "normal_A_to_B": [0, 1, 0]}}
 OSCILLATOR = {"id": "two", "kind": "oscillator_steps",
               "inputs": {"method": "semi_implicit_euler", "m": 1, "k": 1, "x0": 0,
                          "v0": 0, "dt": 0.5, "n": 2},
@@ -138,6 +148,28 @@ class TruthCommand(unittest.TestCase):
                       "inputs": {"method": "rk4", "theta0": 1, "omega0": 0, "T": 1,
                                  "steps": steps}}
             self.refused_case(ladder, "steps: must be")
+
+    def test_pairs_are_judged_by_distance_state_and_the_worth_of_a_normal(self) -> None:
+        for precision in ("single", "double"):
+            for case, fields in ((POLYHEDRA, {"state": "penetrating"}),
+                                 (POLYHEDRA, {"signed_distance": 0.25001}),
+                                 (BOXES, {"signed_distance": -0.50001}),
+                                 (BOXES, {"signed_distance": 0.5})):
+                wrong = {**case, "expected": {**case["expected"], **fields}}
+                for each, code in ((case, 0), (wrong, 1)):
+                    name = self.file("pair.json", {"cases": [each]})
+                    done = self.truth(name, "--precision", precision)
+                    with self.subTest(fields=fields, precision=precision, code=code):
+                        self.assertEqual(done.returncode, code, done.stdout)
+
+        done = self.truth(self.file("pair.json", {"cases": [POLYHEDRA]}), "--out", "o")
+        self.assertEqual(done.returncode, 0)
+        (case,) = json.loads((self.folder / "o").read_text())["cases"]
+        self.assertEqual(case["computed"]["gap_along_normal"], 0.25)
+        for shape, says in (({"vertices": []}, "inputs.B.vertices: must have"),
+                            ({"vertices": [[0, 0, "0"]]}, "inputs.B.vertices[0]: must be")):
+            inputs = {**POLYHEDRA["inputs"], "B": shape}
+            self.refused_case({**POLYHEDRA, "inputs": inputs}, says)
 
     def test_null_is_equal_to_null_alone(self) -> None:
         for method, limit, code in (("implicit_euler", None, 0), ("implicit_euler", 100, 1),

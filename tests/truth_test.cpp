@@ -42,11 +42,23 @@ constexpr std::array k_covered{"constant_acceleration_steps",
                                "rotation_order",
                                "gyro_steps",
                                "listing3_error",
-                               "quaternion_drift"};
+                               "quaternion_drift",
+                               "geom_sphere_sphere",
+                               "geom_sphere_box",
+                               "geom_capsule_capsule",
+                               "geom_capsule_box",
+                               "geom_plane",
+                               "geom_sphere_cylinder",
+                               "geom_cylinder_box",
+                               "convex_pair",
+                               "shape_pair"};
 
 // All cases pass; of the kinds above none is left out but as many as are told.
 void check(Precision precision, int left_out) {
-  const Report report = run_cases({k_folder / "truth_public.json"}, "", precision);
+  const Report report =
+      run_cases({k_folder / "truth_public.json", k_folder / "geometry_public.json",
+                 k_folder / "robustness_public.json"},
+                "", precision);
   for (const Outcome& outcome : report.outcomes) {
     INFO(outcome.id << ": " << outcome.failure);
     CHECK(outcome.pass);

@@ -41,6 +41,10 @@ def error_growth(runs):
     figure, axes = new_figure()
     axes.plot(runs["half"].history["t"], **runs["half"].look("b"))
     return figure
+def measured(runs):
+    figure, axes = new_figure()
+    axes.plot([each["ns"] for each in runs["bench:contacts/"].values()])
+    return figure
 '''
 SOURCE = "int fall() { return 1; }\n"
 
@@ -59,7 +63,7 @@ class WeaveTest(unittest.TestCase):
                      "steps": {"args": [], "sweep": {"--dt": [0.5, 0.25]}}},
             "commands": {"extremes": ["bin/01-x", "--markdown"],
                          "script": ["python3", "build/bin/01-x", "--markdown"]},
-            "figures": {"error-growth": ["half"]}}))
+            "figures": {"error-growth": ["half"], "measured": ["bench:contacts/"]}}))
 
     def write(self, path: str, text: str) -> Path:
         file = self.root / path
@@ -230,6 +234,22 @@ class WeaveTest(unittest.TestCase):
         self.woven(text)
         self.assertEqual(file.read_text(encoding="utf-8"), svg)
         self.write("chapters/01-x/figures.py", FIGURES.replace('"b"', '"a"'))
+        self.assertEqual(self.run_weave("--check")[0], 1)
+
+    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")
+    def test_a_figure_of_the_benchmarks_grows_old_with_them(self) -> None:
+        text = '<!-- weave: figure measured "It is fast" --><!-- /weave -->'
+        code, said = self.complaint(text)
+        self.assertEqual(code, 2)
+        self.assertIn("there is no bench/results.json", said)
+        medians = {"contacts/a": {"ns": 2}, "rotation/b": {"ns": 3}}
+        self.write("bench/results.json", json.dumps({"medians": medians}))
+        self.assertIn("figures/measured.svg", self.woven(text))
+        medians["rotation/b"]["ns"] = 4
+        self.write("bench/results.json", json.dumps({"medians": medians}))
+        self.assertEqual(self.run_weave("--check"), (0, ""))
+        medians["contacts/a"]["ns"] = 4
+        self.write("bench/results.json", json.dumps({"medians": medians}))
         self.assertEqual(self.run_weave("--check")[0], 1)
 
 

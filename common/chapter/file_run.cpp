@@ -1,7 +1,6 @@
 #include "common/chapter/file_run.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include <fmt/format.h>
 
@@ -11,6 +10,7 @@
 #include "common/chapter/outputs.hpp"
 #include "common/chapter/recorder.hpp"
 #include "common/chapter/results.hpp"
+#include "common/chapter/results_file.hpp"
 #include "common/chapter/tables.hpp"
 #include "common/graphics/input_error.hpp"
 
@@ -24,10 +24,6 @@ struct Files {
   fs::path results, trajectory, history;
   Recording recording;
 };
-
-fs::path folder_of(const Plan& plan, const Options& options) {
-  return options.out.value_or(fs::path("out") / plan.chapter->name);
-}
 
 void stage_pictures(Outputs& outputs, const fs::path& out, const Options& options,
                     Recording& recording) {
@@ -46,32 +42,15 @@ void stage_pictures(Outputs& outputs, const fs::path& out, const Options& option
 
 Files stage_files(Outputs& outputs, const Plan& plan, const Options& options,
                   bool pictures) {
-  const fs::path out = folder_of(plan, options);
+  const fs::path out = output_folder(*plan.chapter, options);
   Files files;
   if (pictures) stage_pictures(outputs, out, options, files.recording);
   if (pictures || options.out) {
     files.trajectory = outputs.stage("--out", out / "trajectory.csv");
     files.history = outputs.stage("--out", out / "history.csv");
   }
-  if (!options.results) {
-    files.results = outputs.stage("--out", out / "results.json");
-  } else if (*options.results != "-") {
-    files.results = outputs.stage("--results", *options.results);
-  }
+  files.results = stage_results(outputs, *plan.chapter, options);
   return files;
-}
-
-/// Writes results.json or, without a file, prints it.
-void write_results(const Files& files, const Options& options,
-                   const std::string& json) {
-  if (files.results.empty()) return print_out(json);
-  std::ofstream file(files.results);
-  file << json << std::flush;
-  if (!file) {
-    throw InputError(fmt::format(
-        "{}: cannot be written to the end",
-        options.results ? "--results " + *options.results : "--out: results.json"));
-  }
 }
 
 void report(const Plan& plan, std::span<const Lane> lanes, const Options& options) {
@@ -149,8 +128,9 @@ void run_to_files(const Plan& plan, const Options& options, bool pictures,
   if (no_ffmpeg) trouble = "there is no ffmpeg in PATH";
   if (trouble) print_note(plan.chapter->name, "movie.mp4 is skipped: " + *trouble);
 
-  write_results(files, options, results_json(plan, lanes));
-  if (options.frames) remove_numbered_frames(folder_of(plan, options) / "frames");
+  write_results(files.results, options, results_json(plan, lanes));
+  if (options.frames)
+    remove_numbered_frames(output_folder(*plan.chapter, options) / "frames");
   outputs.publish();
   report(plan, lanes, options);
 }

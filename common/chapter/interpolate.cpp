@@ -70,9 +70,10 @@ DrawList interpolate(const DrawList& previous, const DrawList& current, float al
 
   DrawList list = previous;
   const auto mix = [=](const auto& a, const auto& b) { return glm::mix(a, b, alpha); };
-  blend_pairs(list.shapes, current.shapes, [=](Shape& a, const Shape& b) {
-    a.world_from_shape = interpolate(a.world_from_shape, b.world_from_shape, alpha);
-  });
+  blend_pairs(
+      list.shapes, current.shapes, [=](ShapeInstance& a, const ShapeInstance& b) {
+        a.world_from_shape = interpolate(a.world_from_shape, b.world_from_shape, alpha);
+      });
   blend_pairs(list.meshes, current.meshes, [=](MeshInstance& a, const MeshInstance& b) {
     a.world_from_mesh = interpolate(a.world_from_mesh, b.world_from_mesh, alpha);
   });

@@ -91,6 +91,11 @@ std::string scene_text(const Scene& scene) {
   return text;
 }
 
+std::string job_text(const FileJob& job) {
+  return "\n" + wrapped(fmt::format("--{} FILE:", job.option), 1, job.summary)
+         + section("methods", job.methods, [](const Method& m) { return m.summary; });
+}
+
 Json method_json(const Method& method) {
   return {{"name", method.name},
           {"summary", method.summary},
@@ -131,18 +136,26 @@ Json scene_json(const Scene& scene) {
           {"presets", array_of(scene.presets, preset_json)}};
 }
 
+Json job_json(const FileJob& job) {
+  return {{"option", job.option},
+          {"summary", job.summary},
+          {"methods", array_of(job.methods, method_json)}};
+}
+
 }  // namespace
 
 std::string list_text(const Chapter& chapter) {
   std::string text = fmt::format("{}: {}\n", chapter.name, chapter.title);
   for (const Scene& scene : chapter.double_precision) text += scene_text(scene);
+  for (const FileJob& job : chapter.file_jobs) text += job_text(job);
   return text;
 }
 
 std::string list_json(const Chapter& chapter) {
   const Json json{{"chapter", chapter.name},
                   {"title", chapter.title},
-                  {"scenes", array_of(chapter.double_precision, scene_json)}};
+                  {"scenes", array_of(chapter.double_precision, scene_json)},
+                  {"file_jobs", array_of(chapter.file_jobs, job_json)}};
   return json.dump(2) + "\n";
 }
 

@@ -8,7 +8,8 @@
 
 namespace timestep {
 
-/// Scenes with methods, parameters (unit, default, range) and presets, 88 columns wide.
+/// Scenes with methods, parameters (unit, default, range) and presets, and what there
+/// is to do with files, 88 columns wide.
 std::string list_text(const Chapter& chapter);
 
 /// The same as JSON; each method with the colour, marker and dash of its plots.

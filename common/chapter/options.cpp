@@ -1,5 +1,9 @@
 #include "common/chapter/options.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -17,6 +21,7 @@ struct Typed {
   bool window = false, offscreen = false, headless = false, no_movie = false;
   std::vector<std::string> methods, settings;
   std::optional<std::string> out, frames, size, fps, window_frames;
+  std::vector<std::optional<std::string>> job_files;  ///< of each job
 };
 
 void add_mode_options(CLI::App& app, Options& options, Typed& typed) {
@@ -66,6 +71,13 @@ void add_output_options(CLI::App& app, Options& options, Typed& typed,
   app.add_option("--window-frames", typed.window_frames,
                  "close the window after N frames")
       ->type_name("N");
+}
+
+void add_job_options(CLI::App& app, std::span<const FileJob> jobs, Typed& typed) {
+  typed.job_files.resize(jobs.size());
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    app.add_option("--" + jobs[i].option, typed.job_files[i], jobs[i].summary)
+        ->type_name("FILE");
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -167,6 +179,29 @@ void refuse_contradictions(const Options& options) {
   }
 }
 
+/// Sets the job that was asked for, with which few other options go.
+void choose_job(Options& options, const Typed& typed, std::span<const FileJob> jobs,
+                const CLI::App& app) {
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (!typed.job_files[i]) continue;
+    options.job = &jobs[i];
+    options.job_file = *typed.job_files[i];
+  }
+  if (options.job == nullptr) return;
+
+  using namespace std::string_view_literals;
+  constexpr std::array k_going{"method"sv, "precision"sv, "results"sv, "out"sv,
+                               "headless"sv};
+  const std::string& name = options.job->option;
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string& other = option->get_lnames().at(0);
+    if (option->count() > 0 && other != name && !std::ranges::count(k_going, other))
+      throw InputError(fmt::format("--{}: does not go with --{}", name, other));
+  }
+  if (options.job_file.empty())
+    throw InputError(fmt::format("--{}: the file's name is empty", name));
+}
+
 /// CLI11's error as one line in our words: a value is missing, or there is one too
 /// many.
 std::string explain(const CLI::ParseError& error) {
@@ -179,7 +214,8 @@ std::string explain(const CLI::ParseError& error) {
 
 }  // namespace
 
-Options parse_options(const std::string& program, int argc, const char* const* argv) {
+Options parse_options(const std::string& program, int argc, const char* const* argv,
+                      std::span<const FileJob> jobs) {
   Options options;
   Typed typed;
   CLI::App app{"Timestep, " + program + ". Without a mode: a window; off-screen where "
@@ -191,6 +227,7 @@ Options parse_options(const std::string& program, int argc, const char* const* a
   add_mode_options(app, options, typed);
   add_choice_options(app, options.choice, typed);
   add_output_options(app, options, typed, program);
+  add_job_options(app, jobs, typed);
 
   try {
     app.parse(argc, argv);
@@ -207,6 +244,7 @@ Options parse_options(const std::string& program, int argc, const char* const* a
     throw InputError(
         unknown_name("option", app.remaining().front(), option_names(app)));
   }
+  choose_job(options, typed, jobs, app);
   interpret(options, typed);
   refuse_contradictions(options);
   return options;

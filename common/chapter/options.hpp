@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,12 +30,15 @@ struct Options {
   glm::ivec2 size{1280, 720};         ///< of a picture or the window [pixels]
   int fps = 30;                       ///< of the movie [1/s]
   std::optional<int> window_frames;   ///< the window closes by itself after these
+  const FileJob* job = nullptr;       ///< do this instead, if there is one
+  std::filesystem::path job_file;     ///< with this file
   std::optional<std::string> answer;  ///< print this and end: --help, --version
 };
 
-/// Reads the command line. Throws InputError, in one line, for an unknown option (with
-/// the nearest ones), a missing or malformed value, or options that contradict each
-/// other.
-Options parse_options(const std::string& program, int argc, const char* const* argv);
+/// Reads the command line, on which each of the jobs, which must outlive the options,
+/// is an option. Throws InputError, in one line, for an unknown option (with the
+/// nearest ones), a missing or malformed value, or options that contradict each other.
+Options parse_options(const std::string& program, int argc, const char* const* argv,
+                      std::span<const FileJob> jobs = {});
 
 }  // namespace timestep

@@ -146,6 +146,9 @@ Wishes draw_transport(Controls& controls, const Session& session) {
                                                  : "pause");
   tooltip("space");
   ImGui::SameLine();
+  wishes.back = ImGui::Button("back");
+  tooltip("the , key");
+  ImGui::SameLine();
   wishes.step = ImGui::Button("step");
   tooltip("the . key");
   ImGui::SameLine();

@@ -29,7 +29,7 @@ struct Controls {
 
 /// What the user wants done beyond moving a control.
 struct Wishes {
-  bool restart = false, step = false, pause = false;
+  bool restart = false, step = false, back = false, pause = false;
 };
 
 /// The controls as a plan has them.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ bool showable(const glm::mat4& m) {
 
 void drop_unshowable(DrawList& list) {
   std::erase_if(list.shapes,
-                [](const Shape& s) { return !showable(s.world_from_shape); });
+                [](const ShapeInstance& s) { return !showable(s.world_from_shape); });
   std::erase_if(list.meshes,
                 [](const MeshInstance& m) { return !showable(m.world_from_mesh); });
   std::erase_if(list.balls, [](const Ball& b) {
@@ -65,6 +66,8 @@ DrawList draw_scene(std::span<const Lane> lanes) {
 
 void add_words(DrawList& list, const Plan& plan, std::span<const Lane> lanes,
                double time) {
+  // What the scene itself tells of this moment comes last
+  const std::vector<std::string> told = std::exchange(list.caption, {});
   list.title = plan.chapter->title + ": " + plan.scene->name;
   list.caption.push_back(fmt::format("t = {:.2f} s, dt = {}, {} precision", time,
                                      step_text(plan.dt), name(plan.precision)));
@@ -72,6 +75,7 @@ void add_words(DrawList& list, const Plan& plan, std::span<const Lane> lanes,
     if (!lane.metrics.empty()) list.caption.push_back(headline(lane));
     list.legend.push_back({lane.setup->style, legend_text(lane)});
   }
+  list.caption.insert(list.caption.end(), told.begin(), told.end());
 }
 
 void add_chart(DrawList& list, const MetricLog& log, const std::string& metric,

@@ -35,13 +35,6 @@ const T& find_named(const std::vector<T>& things, const std::string& wanted,
   return *found;
 }
 
-Precision parse_precision(const std::string& text) {
-  const Names names{"single", "double"};
-  if (text == names[0]) return Precision::single_bits;
-  if (text == names[1]) return Precision::double_bits;
-  throw InputError(unknown_name("precision", text, names));
-}
-
 Names choose_methods(const Scene& scene, const Names& asked) {
   const Names all = names_of(scene.methods);
   if (asked == Names{"all"}) return all;
@@ -156,6 +149,13 @@ bool choose_fix_winding(const Scene& scene, const Choice& choice) {
 
 const char* name(Precision precision) {
   return precision == Precision::single_bits ? "single" : "double";
+}
+
+Precision parse_precision(const std::string& text) {
+  const Names names{"single", "double"};
+  if (text == names[0]) return Precision::single_bits;
+  if (text == names[1]) return Precision::double_bits;
+  throw InputError(unknown_name("precision", text, names));
 }
 
 const std::vector<Scene>& scenes_of(const Chapter& chapter, Precision precision) {

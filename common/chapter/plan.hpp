@@ -18,6 +18,9 @@ enum class Precision { single_bits, double_bits };
 /// "single" or "double".
 const char* name(Precision precision);
 
+/// Throws InputError for any other word.
+Precision parse_precision(const std::string& text);
+
 /// What the user asked for, as typed. The same for the command line and the panel.
 struct Choice {
   std::optional<std::string> scene{};  ///< none: the first one

@@ -54,11 +54,13 @@ void add_movie(std::vector<Moment>& moments, const Plan& plan, int fps) {
 }
 
 /// A panel of the filmstrip is small: what is the same in all of them stands only once.
-void simplify_for_filmstrip(DrawList& list, std::size_t index) {
+/// What the scene itself told stays.
+void simplify_for_filmstrip(DrawList& list, std::size_t index,
+                            const std::vector<std::string>& told) {
   const bool first = index == 0, last = index + 1 == k_filmstrip_length;
   if (!first) list.title.clear();
   if (!first) list.legend.clear();
-  if (!last) list.caption.clear();
+  if (!last) list.caption = told;
   list.charts.clear();
 }
 
@@ -132,12 +134,13 @@ void Recorder::shoot(const Moment& moment, DrawList list) {
   const double time =
       plan_.time(moment.step) + static_cast<double>(moment.alpha) * plan_.dt;
   const Scene& scene = *plan_.scene;
+  const std::vector<std::string> told = list.caption;
   add_words(list, plan_, lanes_, time);
   add_chart(list, log_, scene.chart_metric, scene.chart_logarithmic);
   list.chart_side = Side::left;  // where a flight begins, not where it lands
 
   if (moment.use == Moment::Use::filmstrip) {
-    simplify_for_filmstrip(list, moment.index);
+    simplify_for_filmstrip(list, moment.index, told);
     filmstrip_.push_back(std::move(list));
   } else if (moment.use == Moment::Use::frame) {
     write_png(studio_->render(list, camera_), recording_.frames[moment.index]);

@@ -1,6 +1,7 @@
 #include <new>
 
 #include "common/chapter/console.hpp"
+#include "common/chapter/file_job.hpp"
 #include "common/chapter/file_run.hpp"
 #include "common/chapter/interrupt.hpp"
 #include "common/chapter/listing.hpp"
@@ -14,11 +15,13 @@ namespace timestep {
 namespace {
 
 void run(const Chapter& chapter, int argc, const char* const* argv) {
-  const Options options = parse_options(chapter.name, argc, argv);
+  const Options options = parse_options(chapter.name, argc, argv, chapter.file_jobs);
   if (options.answer) return print_out(*options.answer);
   if (options.list) {
     return print_out(options.json ? list_json(chapter) : list_text(chapter));
   }
+
+  if (options.job != nullptr) return run_file_job(chapter, options);
 
   const Plan plan = make_plan(chapter, options.choice);
   const bool asks_for_files = options.results || options.frames;

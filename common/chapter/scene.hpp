@@ -101,7 +101,8 @@ class Simulation {
   /// Bodies for which `evaluations` and time are counted.
   virtual long long body_count() const = 0;
 
-  /// Adds what this method does to the picture, in the method's style.
+  /// Adds what this method does to the picture, in the method's style. Lines that it
+  /// adds to the caption stand below the harness's own.
   virtual void draw(DrawList& list) const = 0;
 
   /// The look that shows everything, if this run needs another one than the scene's.
@@ -128,12 +129,26 @@ struct Scene {
   std::function<std::unique_ptr<Simulation>(const Setup&)> start;
 };
 
+/// What a chapter does with a file instead of simulating: `--OPTION FILE`, which goes
+/// with `--method`, `--precision`, `--results` and `--out` alone.
+struct FileJob {
+  /// What to write as results.json. Throws InputError, in one line that names the file,
+  /// for what is wrong with it.
+  using Run = std::function<std::string(const std::filesystem::path& file,
+                                        const std::string& method)>;
+
+  std::string option, summary;  ///< the option as it is typed, without the dashes
+  std::vector<Method> methods;  ///< the first is the default
+  Run single_precision, double_precision;
+};
+
 /// A chapter: its scenes twice, from the same sources compiled for each precision. The
 /// first scene is the default.
 struct Chapter {
   std::string name;   ///< as the folder: "01-particles"
   std::string title;  ///< as the heading: "Particles and Euler"
   std::vector<Scene> single_precision, double_precision;
+  std::vector<FileJob> file_jobs{};
 };
 
 /// Runs a chapter's executable: reads the options, then opens a window, renders

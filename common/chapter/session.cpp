@@ -11,13 +11,20 @@ namespace timestep {
 Session::Session(const Chapter& chapter, const Choice& choice) {
   try {
     plan_ = make_plan(chapter, choice);
-    lanes_ = start_lanes(plan_);
-    take_sample();
-    previous_ = current_ = draw_scene(lanes_);
+    begin();
   } catch (const std::exception& error) {
     error_ = error.what();
     lanes_.clear();
   }
+}
+
+void Session::begin() {
+  lanes_ = start_lanes(plan_);
+  log_ = {};
+  clock_ = {};
+  step_ = 0;
+  take_sample();
+  previous_ = current_ = draw_scene(lanes_);
 }
 
 void Session::advance(double frame_time, double speed) {
@@ -34,6 +41,14 @@ void Session::step_once() {
   if (lanes_.empty() || ended()) return;
   advance_to(step_ + 1);
   previous_ = current_;  // shown at once, not a step later
+}
+
+void Session::step_back() {
+  if (lanes_.empty() || step_ == 0) return;
+  const long long step = step_ - 1;
+  begin();
+  advance_to(step);
+  previous_ = current_;
 }
 
 void Session::advance_to(long long step) {

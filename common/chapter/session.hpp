@@ -28,6 +28,9 @@ class Session {
   /// Does one step.
   void step_once();
 
+  /// Goes back by one step: starts again and does all others, which gives the same.
+  void step_back();
+
   /// The scene as it is between the last two steps.
   DrawList picture() const;
 
@@ -40,6 +43,7 @@ class Session {
   bool ended() const { return step_ >= plan_.steps; }
 
  private:
+  void begin();
   void advance_to(long long step);
   void take_sample();
 

@@ -35,7 +35,8 @@ class Key {
 };
 
 struct Keys {
-  Key pause{GLFW_KEY_SPACE}, step{GLFW_KEY_PERIOD}, restart{GLFW_KEY_R};
+  Key pause{GLFW_KEY_SPACE}, step{GLFW_KEY_PERIOD}, back{GLFW_KEY_COMMA},
+      restart{GLFW_KEY_R};
 };
 
 /// Seconds since the last call.
@@ -58,6 +59,7 @@ void draw_picture(Renderer& renderer, Session& session, const Controls& controls
 void take_keys(Keys& keys, GLFWwindow* window, Wishes& wishes) {
   wishes.pause |= keys.pause.pressed(window);
   wishes.step |= keys.step.pressed(window);
+  wishes.back |= keys.back.pressed(window);
   wishes.restart |= keys.restart.pressed(window);
 }
 
@@ -68,10 +70,9 @@ void obey(const Wishes& wishes, Controls& controls, std::unique_ptr<Session>& se
   if (wishes.restart || again) {
     session = std::make_unique<Session>(*controls.chapter, choice_of(controls));
   }
-  if (wishes.step) {
-    controls.paused = true;
-    session->step_once();
-  }
+  if (wishes.step || wishes.back) controls.paused = true;
+  if (wishes.step) session->step_once();
+  if (wishes.back) session->step_back();
 }
 
 }  // namespace

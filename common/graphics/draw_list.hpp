@@ -32,7 +32,8 @@ struct Style {
 /// and cone of radius 1 along y from -1 to 1 (the cone's tip at +1).
 enum class ShapeKind { sphere, box, cylinder, cone };
 
-struct Shape {
+/// A unit shape at a transform.
+struct ShapeInstance {
   ShapeKind kind = ShapeKind::sphere;
   glm::mat4 world_from_shape{1};
   Color color{0.8F, 0.8F, 0.8F, 1};
@@ -117,7 +118,7 @@ struct CameraPose {
 struct DrawList {
   std::string title;                 ///< top left, large
   std::vector<std::string> caption;  ///< below the title, small
-  std::vector<Shape> shapes;
+  std::vector<ShapeInstance> shapes;
   std::vector<MeshInstance> meshes;
   std::vector<Ball> balls;
   std::vector<Polyline> lines;

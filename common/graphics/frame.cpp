@@ -34,7 +34,7 @@ void add_box(Bounds& bounds, const glm::mat4& world_from_box, glm::vec3 low,
 
 Bounds casters(const DrawList& list) {
   Bounds bounds;
-  for (const Shape& shape : list.shapes) {
+  for (const ShapeInstance& shape : list.shapes) {
     add_box(bounds, shape.world_from_shape, glm::vec3(-1), glm::vec3(1));
   }
   for (const MeshInstance& instance : list.meshes) {

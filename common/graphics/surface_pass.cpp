@@ -33,7 +33,7 @@ void SurfacePass::prepare(const DrawList& list) {
   for (const bool opaque : {true, false}) {
     for (std::size_t k = 0; k < k_kinds.size(); ++k) {
       const std::size_t first = uploaded_.size();
-      for (const Shape& shape : list.shapes) {
+      for (const ShapeInstance& shape : list.shapes) {
         if (shape.kind != k_kinds[k] || is_opaque(shape.color) != opaque) continue;
         uploaded_.push_back({shape.world_from_shape, shape.color});
       }

@@ -280,6 +280,15 @@ void find_neighbours(ConvexHull& hull) {
   }
 }
 
+// Where to climb from: only the way there gets shorter, not another support vertex
+void find_starts(ConvexHull& hull) {
+  const HullShape shape = hull_shape(hull);
+  std::vector<Index> starts;
+  for (std::size_t cell = 0; cell < k_cells * k_cells * k_cells; ++cell)
+    starts.push_back(support_vertex(shape, middle_of_cell(cell), 0));
+  hull.starts = starts;
+}
+
 void find_planes(ConvexHull& hull, const std::vector<DVec3>& normals) {
   const HullShape shape = hull_shape(hull);
   for (Index f = 0; f < normals.size(); ++f) {
@@ -310,6 +319,7 @@ HullResult convex_hull(std::span<const Vec3> points) {
   ConvexHull hull;
   take_over(hull, faces, polygons, points);
   find_neighbours(hull);
+  find_starts(hull);
   find_planes(hull, polygons.normals);
   for (const Vec3& v : hull.vertices)
     hull.reach = std::max(hull.reach, std::hypot(v.x, v.y, v.z));
@@ -321,8 +331,10 @@ HullShape hull_shape(const ConvexHull& hull) {
   return {.vertices = hull.vertices,
           .first_neighbour = hull.first_neighbour,
           .neighbours = hull.neighbours,
+          .starts = hull.starts,
           .volume = hull.volume,
-          .reach = hull.reach};
+          .reach = hull.reach,
+          .hull = &hull};
 }
 
 std::vector<Triangle> hull_triangles(const ConvexHull& hull) {

@@ -44,6 +44,7 @@ struct ConvexHull {
   /// first_neighbour[v + 1], around it in order.
   std::vector<std::uint32_t> neighbours, first_neighbour;
   std::vector<std::uint32_t> vertex_edge;  ///< a half-edge that starts at each vertex
+  std::vector<std::uint32_t> starts;  ///< the support vertex amid each direction_cell
 
   Real volume = 0;  ///< [m³]
   Real reach = 0;   ///< distance of the furthest vertex from the origin
@@ -68,7 +69,7 @@ struct HullResult {
 /// cloud is too hard. Far from the origin L is large: move the cloud first.
 HullResult convex_hull(std::span<const Vec3> points);
 
-/// What support functions need of a hull, which must outlive the view.
+/// What support functions need of a hull, which must outlive the view where it is.
 HullShape hull_shape(const ConvexHull& hull);
 
 /// The faces cut into triangles: a mesh, for `mesh_mass` and `surface_area`.

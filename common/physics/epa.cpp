@@ -91,26 +91,27 @@ Simplex closest_on_face(const Polytope& polytope, const std::array<Index, 3>& fa
 }
 
 // (4.20) The witness points are where the difference's boundary is closest to the
-// origin: on the face found, or on another in the same plane
-Simplex witnesses(const Epa& epa) {
+// origin: on the face found, or on another in the same plane. How far that is from the
+// polytope is what the depth may be too large by
+Simplex witnesses(const Epa& epa, Real& gap) {
   const Vec3 point = epa.depth * epa.outward;
-  Real nearest = k_infinity;
-  Simplex best = closest_on_face(epa.polytope, epa.face, point, nearest);
-  for (int i = 0; i < epa.polytope.face_count && nearest > k_rounding; ++i) {
+  Simplex best = closest_on_face(epa.polytope, epa.face, point, gap);
+  for (int i = 0; i < epa.polytope.face_count && gap > k_rounding; ++i) {
     Real distance = k_infinity;
     const PolytopeFace& face = epa.polytope.faces[std::size_t(i)];
-    if (!(std::abs(face.offset - epa.depth) < nearest)) continue;
+    if (!(std::abs(face.offset - epa.depth) < gap)) continue;
     const Simplex other = closest_on_face(epa.polytope, face.vertices, point, distance);
-    if (!(distance < nearest)) continue;
+    if (!(distance < gap)) continue;
     best = other;
-    nearest = distance;
+    gap = distance;
   }
+  if (epa.reason != Reason::converged) gap = std::max(gap, epa.depth - epa.lower);
   return best;
 }
 
 Separation in_world(const MinkowskiDifference& difference, const Pose& pose_a,
                     const Pose& pose_b, const Simplex& witness, Real core_distance,
-                    const Vec3& normal) {
+                    const Vec3& normal, Real gap) {
   const Real radius_a = difference.a.radius, radius_b = difference.b.radius;
   Separation s;
   s.distance = core_distance * difference.unit - (radius_a + radius_b);
@@ -124,31 +125,34 @@ Separation in_world(const MinkowskiDifference& difference, const Pose& pose_a,
   s.on_a = a + beside;
   s.on_b = b - beside;
   s.error = k_rounding * (difference.unit + radius_a + radius_b);
+  if (gap > k_rounding) s.error += gap * difference.unit;
   return s;
 }
 
 // (4.21) Where the cores meet, or are so close that only planes through their features
-// tell
+// tell: what EPA found, unless GJK's bounds are closer
 Separation separation_by_epa(const MinkowskiDifference& difference, const Gjk& gjk,
                              const Pose& pose_a, const Pose& pose_b) {
   Epa epa;
   epa_start(difference, gjk.simplex, epa);
   while (!epa.done) epa_step(difference, epa);
-  Separation s;
-  if (!cores_meet(gjk) && gjk.lower > k_rounding) {
-    const Vec3 normal = -epa.depth > gjk.lower ? -epa.outward : gjk.normal;
-    const Real distance = glm::length(gjk.v);
-    s = in_world(difference, pose_a, pose_b, gjk.simplex, distance, normal);
-  } else {
-    Simplex witness = gjk.simplex;
-    if (epa.reason == Reason::flat)
-      reduce_to_closest_face(witness);
-    else
-      witness = witnesses(epa);
-    s = in_world(difference, pose_a, pose_b, witness, -epa.depth, -epa.outward);
-  }
+  const Real distance = glm::length(gjk.v), gjk_gap = distance - gjk.lower;
+  const bool is_flat = epa.reason == Reason::flat;
+  Real epa_gap = 0;
+  Simplex witness = gjk.simplex;
+  if (is_flat)
+    reduce_to_closest_face(witness);
+  else
+    witness = witnesses(epa, epa_gap);
+
+  const bool is_closer = is_flat ? gjk.lower > k_rounding : gjk_gap <= epa_gap;
+  const bool is_apart = is_closer && gjk.simplex.size < 4;
+  Separation s = is_apart ? in_world(difference, pose_a, pose_b, gjk.simplex, distance,
+                                     gjk.normal, gjk_gap)
+                          : in_world(difference, pose_a, pose_b, witness, -epa.depth,
+                                     -epa.outward, epa_gap);
   s.iterations = gjk.iterations + epa.iterations;
-  s.reason = epa.reason;
+  s.reason = is_apart ? gjk.reason : epa.reason;
   return s;
 }
 
@@ -185,8 +189,10 @@ void epa_step(const MinkowskiDifference& difference, Epa& epa) {
   const int index = closest_face(epa.polytope);
   const Real within = epa.depth - k_rounding;
   const Reason at_rest = epa.stuck < within ? Reason::no_progress : Reason::converged;
+  epa.lower = epa.stuck;
   if (index < 0) return finish(epa, at_rest);
   PolytopeFace& face = epa.polytope.faces[std::size_t(index)];
+  epa.lower = std::min(epa.stuck, face.offset);
   if (face.offset >= within) return finish(epa, at_rest);
 
   // What is behind the face; nothing, if it is on the difference's boundary
@@ -212,9 +218,23 @@ Separation separation(const Convex& a, const Pose& pose_a, const Convex& b,
     return separation_by_epa(difference, gjk, pose_a, pose_b);
   const Real distance = glm::length(gjk.v);
   Separation s =
-      in_world(difference, pose_a, pose_b, gjk.simplex, distance, gjk.normal);
+      in_world(difference, pose_a, pose_b, gjk.simplex, distance, gjk.normal, 0);
   s.iterations = gjk.iterations;
   return s;
+}
+
+bool intersect(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,
+               GjkCache* cache) {
+  const MinkowskiDifference difference = minkowski_difference(a, pose_a, b, pose_b);
+  if (!(difference.unit > 0)) return false;
+  const Real radius = (a.radius + b.radius) / difference.unit;
+  Gjk gjk = gjk_start(difference, cache);
+  while (!gjk.done && gjk.lower <= radius && glm::length(gjk.v) > radius)
+    gjk_step(difference, gjk);
+  if (cache != nullptr) cache->simplex = gjk.simplex;
+  if (cores_meet(gjk) || glm::length(gjk.v) <= radius) return true;
+  return gjk.reason != Reason::converged
+         && separation_by_epa(difference, gjk, pose_a, pose_b).distance <= 0;
 }
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

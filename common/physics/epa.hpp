@@ -19,7 +19,8 @@ struct Epa {
   Vec3 outward{0, 0, 1};
   Real depth = 2;
   std::array<std::int16_t, 3> face{};
-  Real stuck = 2;  ///< least offset of a face that rounding keeps from growing
+  Real stuck = 2;   ///< least offset of a face that rounding keeps from growing
+  Real lower = -2;  ///< least offset of all faces: the depth is at least this
   int iterations = 0;
   Reason reason = Reason::converged;
   bool done = false;
@@ -44,5 +45,11 @@ void epa_step(const MinkowskiDifference& difference, Epa& epa);
 /// input, and no query allocates or takes more than k_gjk_limit + k_epa_limit steps.
 Separation separation(const Convex& a, const Pose& pose_a, const Convex& b,
                       const Pose& pose_b, GjkCache* cache = nullptr);
+
+/// Whether two shapes have a point in common, up to rounding: as soon as that is known,
+/// without their distance. Of needles, for which GJK's simplices are slivers, up to
+/// 1e-9 of their size, or in single precision 1e-4.
+bool intersect(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,
+               GjkCache* cache = nullptr);
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

@@ -21,10 +21,6 @@ void finish(Gjk& gjk, Reason reason) {
   gjk.done = true;
 }
 
-void keep(const Gjk& gjk, GjkCache* cache) {
-  if (cache != nullptr) cache->simplex = gjk.simplex;
-}
-
 }  // namespace
 
 Gjk gjk_start(const MinkowskiDifference& difference, const GjkCache* cache) {
@@ -54,18 +50,20 @@ void gjk_step(const MinkowskiDifference& difference, Gjk& gjk) {
   const SupportPoint next = support(difference, normal, near);
   ++gjk.iterations;
   const Real lower = glm::dot(normal, next.w);
-  const bool rises = lower > gjk.lower;
-  if (lower > gjk.lower - k_rounding / 8) gjk.normal = normal;
+  const bool rises = lower > gjk.lower, is_along_v = lower > gjk.lower - k_rounding;
+  if (is_along_v) gjk.normal = normal;
   gjk.lower = std::max(gjk.lower, lower);
 
   // (4.16) The duality gap; times |v| it is the v.v - v.w of the textbooks. Rounding
   // may keep it open, but then neither bound moves any more
   const Real gap = upper - gjk.lower;
   const Reason at_rest = gap <= k_rounding ? Reason::converged : Reason::no_progress;
-  if (gap <= k_rounding / 16 || holds(gjk.simplex, next.w)) return finish(gjk, at_rest);
+  const bool is_tight = gap <= k_rounding / 16 && is_along_v;
+  if (is_tight || holds(gjk.simplex, next.w)) return finish(gjk, at_rest);
   Simplex larger = gjk.simplex;
   larger.vertices[std::size_t(larger.size++)] = next;
-  const Vec3 v = reduce_to_closest(larger);
+  Vec3 v = reduce_to_closest(larger);
+  if (larger.size == 4 && gjk.lower > k_rounding) v = reduce_to_closest_face(larger);
   const Real closer = glm::length(v);
   if (!(closer < upper || (rises && closer <= upper + k_rounding / 16)))
     return finish(gjk, at_rest);
@@ -78,24 +76,12 @@ void gjk_step(const MinkowskiDifference& difference, Gjk& gjk) {
 Gjk run_gjk(const MinkowskiDifference& difference, GjkCache* cache) {
   Gjk gjk = gjk_start(difference, cache);
   while (!gjk.done) gjk_step(difference, gjk);
-  keep(gjk, cache);
+  if (cache != nullptr) cache->simplex = gjk.simplex;
   return gjk;
 }
 
 bool cores_meet(const Gjk& gjk) {
   return gjk.simplex.size == 4 || !(glm::length(gjk.v) > k_rounding);
-}
-
-bool intersect(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,
-               GjkCache* cache) {
-  const MinkowskiDifference difference = minkowski_difference(a, pose_a, b, pose_b);
-  if (!(difference.unit > 0)) return false;
-  const Real radius = (a.radius + b.radius) / difference.unit;
-  Gjk gjk = gjk_start(difference, cache);
-  while (!gjk.done && gjk.lower <= radius && glm::length(gjk.v) > radius)
-    gjk_step(difference, gjk);
-  keep(gjk, cache);
-  return cores_meet(gjk) || glm::length(gjk.v) <= radius;
 }
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

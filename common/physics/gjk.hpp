@@ -36,9 +36,9 @@ constexpr int k_gjk_limit = 100;
 /// From the simplex of the cache, if it holds one, or from one support point.
 Gjk gjk_start(const MinkowskiDifference& difference, const GjkCache* cache);
 
-/// (4.15) One step: the support point towards the origin, then the reduced simplex. Done
-/// once the bounds are as close as rounding lets them be, the simplex holds the origin,
-/// or v stops to come closer.
+/// (4.15) One step: the support point towards the origin, then the reduced simplex.
+/// Done once the bounds are as close as rounding lets them be, the simplex holds the
+/// origin, or v stops to come closer.
 void gjk_step(const MinkowskiDifference& difference, Gjk& gjk);
 
 /// All steps until the distance of the cores is known. Without a cache it starts
@@ -48,10 +48,5 @@ Gjk run_gjk(const MinkowskiDifference& difference, GjkCache* cache);
 /// Whether GJK ended with a simplex that holds the origin or comes as close as rounding
 /// can tell.
 bool cores_meet(const Gjk& gjk);
-
-/// Whether two shapes have a point in common, up to rounding: as soon as that is known,
-/// without their distance.
-bool intersect(const Convex& a, const Pose& pose_a, const Convex& b, const Pose& pose_b,
-               GjkCache* cache = nullptr);
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

@@ -11,9 +11,8 @@ namespace {
 
 constexpr Real k_u = std::numeric_limits<Real>::epsilon() / 2;
 
-// Cosine of the angle to the normal up to which a face lies on another, and up to which
-// a chord to its plane is well defined
-constexpr Real k_lies_flat = Real(0.995), k_too_steep = Real(0.1);
+// Cosine of the angle to the normal up to which a face lies on another
+constexpr Real k_lies_flat = Real(0.995);
 
 // Near ties: areas that differ by less than a thousandth, depths by less than a
 // hundredth
@@ -61,16 +60,21 @@ void fill(const SupportingFace& face, SideName body, Polygon& polygon) {
 void clip(const Polygon& polygon, const Vec3& normal, Real offset, SideName side,
           Polygon& result) {
   result.count = 0;
+  if (polygon.count == 0) return;
+  const Corner* from = &polygon.at(polygon.count - 1);
+  Real h = glm::dot(normal, from->point) - offset;
   for (int i = 0; i < polygon.count; ++i) {
-    const Corner &from = polygon.at(i), &to = polygon.at(i + 1);
-    const Real h = glm::dot(normal, from.point) - offset;
+    const Corner& to = polygon.at(i);
     const Real next_h = glm::dot(normal, to.point) - offset;
-    if (h <= 0) result.add(from);
-    if ((h <= 0) == (next_h <= 0)) continue;
 
     // Leaving, go on along the plane; coming back, along the same side as before
-    const Vec3 crossing = from.point + (h / (h - next_h)) * (to.point - from.point);
-    result.add({crossing, h <= 0 ? side : from.side});
+    if ((h <= 0) != (next_h <= 0)) {
+      const Vec3 crossing = from->point + (h / (h - next_h)) * (to.point - from->point);
+      result.add({crossing, h <= 0 ? side : from->side});
+    }
+    if (next_h <= 0) result.add(to);
+    from = &to;
+    h = next_h;
   }
 }
 
@@ -81,10 +85,11 @@ std::uint64_t feature(SideName a, SideName b) {
 }
 
 // (4.25) The corners of what two faces share, seen along the normal, with the chords
-// there. `across` is the normal from the reference face's side.
-Candidates chords(const SupportingFace& reference, SideName reference_body,
-                  const SupportingFace& incident, SideName incident_body,
-                  const Vec3& across, Real slack) {
+// there that are no more apart than the margin. `across` is the normal from the
+// reference face's side.
+void add_chords(const SupportingFace& reference, SideName reference_body,
+                const SupportingFace& incident, SideName incident_body,
+                const Vec3& across, Real margin, Real slack, Candidates& found) {
   std::array<Polygon, 2> buffers;
   Polygon *shared = buffers.data(), *spare = shared + 1;
   fill(incident, incident_body, *shared);
@@ -98,16 +103,14 @@ Candidates chords(const SupportingFace& reference, SideName reference_body,
     std::swap(shared, spare);
   }
 
-  Candidates found;
-  const Real slope = glm::dot(reference.normal, across);
+  const Vec3 down = reference.normal / -glm::dot(reference.normal, across);
   for (int i = 0; i < shared->count; ++i) {
     const Corner &corner = shared->at(i), &before = shared->at(i + shared->count - 1);
-    const Vec3 from_face = corner.point - reference.corners[0];
-    const Real depth = -glm::dot(reference.normal, from_face) / slope;
-    found.add(
-        {corner.point + depth / 2 * across, depth, feature(corner.side, before.side)});
+    const Real depth = glm::dot(down, corner.point - reference.corners[0]);
+    if (depth >= -margin - slack)
+      found.add({corner.point + depth / 2 * across, depth,
+                 feature(corner.side, before.side)});
   }
-  return found;
 }
 
 // The first of the points that is as deep as the deepest, but for a near tie
@@ -152,30 +155,18 @@ Real reach(const SupportingFace& face) {
   return std::sqrt(most);
 }
 
-// What the faces share, as far as it is no more apart than the margin
-Candidates face_contacts(const SupportingFace& a, const SupportingFace& b,
-                         const Vec3& normal, Real margin, Real slack) {
+// What the faces share, if one lies flat on the other: that one tells the depth
+void add_shared(const SupportingFace& a, const SupportingFace& b, const Vec3& normal,
+                Real margin, Real slack, Candidates& found) {
   const Real slope_a = a.is_boundless ? 2 : glm::dot(a.normal, normal);
   const Real slope_b = b.is_boundless ? 2 : -glm::dot(b.normal, normal);
   const bool both = a.count > 0 && b.count > 0 && !(a.is_boundless && b.is_boundless);
-  if (!both || std::max(slope_a, slope_b) < k_too_steep) return {};
-
-  // The face that lies flatter tells the depth
-  Candidates found = slope_a >= slope_b ? chords(a, 0, b, k_of_b, normal, slack)
-                                        : chords(b, k_of_b, a, 0, -normal, slack);
-
-  // Two edges have but one point in common, the deepest
-  Real least = -margin - slack;
-  const bool lies_flat = std::max(slope_a, slope_b) >= k_lies_flat;
-  if (!lies_flat)
-    for (const ContactPoint& p : found.all()) least = std::max(least, p.depth);
-  const int all = std::exchange(found.count, 0);
-  for (int i = 0; i < all; ++i) {
-    const ContactPoint& p = found.points[std::size_t(i)];
-    if (p.depth >= least && (lies_flat || found.count == 0)) found.add(p);
-  }
+  if (!both || std::max(slope_a, slope_b) < k_lies_flat) return;
+  if (slope_a >= slope_b)
+    add_chords(a, 0, b, k_of_b, normal, margin, slack, found);
+  else
+    add_chords(b, k_of_b, a, 0, -normal, margin, slack, found);
   std::ranges::sort(found.all(), {}, &ContactPoint::feature);
-  return found;
 }
 
 SideName side_name(std::size_t face, std::size_t side) {
@@ -265,6 +256,18 @@ SupportingFace supporting_face(const HalfSpace& plane, const Pose& pose, const V
   return face;
 }
 
+SupportingFace supporting_face(const HullShape& view, const Pose& pose,
+                               const Vec3& direction) {
+  if (view.hull == nullptr) return {};
+  return supporting_face(*view.hull, pose, direction);
+}
+
+SupportingFace supporting_face(const Shape& shape, const Pose& pose,
+                               const Vec3& direction) {
+  return std::visit([&](const auto& s) { return supporting_face(s, pose, direction); },
+                    shape);
+}
+
 Manifold contact_manifold(const SupportingFace& a, const SupportingFace& b,
                           const Separation& separation, Real margin) {
   Manifold manifold{.normal = separation.normal, .points = {}};
@@ -273,7 +276,8 @@ Manifold contact_manifold(const SupportingFace& a, const SupportingFace& b,
   if (depth < -margin - slack) return manifold;
 
   // The witness points, where no corner of the faces is as deep
-  Candidates found = face_contacts(a, b, manifold.normal, margin, slack);
+  Candidates found;
+  add_shared(a, b, manifold.normal, margin, slack, found);
   Real deepest = -std::numeric_limits<Real>::infinity();
   for (const ContactPoint& p : found.all()) deepest = std::max(deepest, p.depth);
   if (deepest < depth - slack - k_near_depth * std::abs(depth))

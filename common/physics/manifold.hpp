@@ -52,12 +52,16 @@ struct SupportingFace {
 };
 
 /// Of a box: the face most along the direction. Of a hull: the one of those around its
-/// support vertex. A half-space is all one face. Directions are of the world, of any
-/// length but 0.
+/// support vertex; none of a cloud without faces. A half-space is all one face.
+/// Directions are of the world, of any length but 0.
 SupportingFace supporting_face(const Box& box, const Pose& pose, const Vec3& direction);
 SupportingFace supporting_face(const ConvexHull& hull, const Pose& pose,
                                const Vec3& direction);
+SupportingFace supporting_face(const HullShape& view, const Pose& pose,
+                               const Vec3& direction);
 SupportingFace supporting_face(const HalfSpace& plane, const Pose& pose,
+                               const Vec3& direction);
+SupportingFace supporting_face(const Shape& shape, const Pose& pose,
                                const Vec3& direction);
 
 /// Round shapes have none.
@@ -79,11 +83,11 @@ SupportingFace supporting_face(const Round&, const Pose&, const Vec3&) {
 /// with those that make the largest area with it. Near ties, of a hundredth in depth
 /// and of a thousandth in area, go to the lower feature, so that they end the same way
 /// in each frame. Elsewhere, as where edges cross, or where a shape has no faces, there
-/// is one.
+/// is one, half way between the witness points.
 Manifold contact_manifold(const SupportingFace& a, const SupportingFace& b,
                           const Separation& separation, Real margin = 0);
 
-/// The same of two shapes that are placed: boxes, hulls, half-spaces, round ones.
+/// The same of two shapes that are placed: of one kind each, or any `Shape`.
 template <class A, class B>
 Manifold contact_manifold(const A& a, const Pose& pose_a, const B& b,
                           const Pose& pose_b, const Separation& separation,

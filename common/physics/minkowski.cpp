@@ -21,7 +21,7 @@ MinkowskiDifference minkowski_difference(const Convex& a, const Pose& pose_a,
                                          const Convex& b, const Pose& pose_b) {
   const Pose b_in_a = relative_pose(pose_a, pose_b);
   const Vec3& t = b_in_a.position;
-  const Real far_b = std::hypot(t.x, t.y, t.z) + b.reach;
+  const Real far_b = length_of(t) + b.reach;
   const Real turn = glm::dot(b_in_a.orientation, b_in_a.orientation);
   if (!std::isfinite(a.reach + far_b + turn + a.radius + b.radius))
     return {a, b, Mat3(1), Vec3(0), 0, 0};

@@ -9,10 +9,6 @@ namespace {
 
 constexpr Real k_epsilon = std::numeric_limits<Real>::epsilon();
 
-Real length_of(const Vec3& v) {
-  return std::hypot(v.x, v.y, v.z);
-}
-
 // Differences of very large numbers may be too large for Real
 Separation if_in_range(const Separation& s) {
   return std::isfinite(s.distance + s.error)

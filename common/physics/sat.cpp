@@ -44,10 +44,12 @@ Real to_beat(const Axis& best, Real error) {
   return best.feature == SatFeature::edges ? best.separation : best.separation + error;
 }
 
-// Where the line p + s d is next to the line q + t e
+// Where the line p + s d is next to the line q + t e; at p if one has no length
 Vec3 next_to(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e) {
   const Vec3 n = glm::cross(d, e);
-  const Real s = glm::dot(glm::cross(q - p, e), n) / glm::dot(n, n);
+  const Real n2 = glm::dot(n, n);
+  if (!(n2 > 0)) return p;
+  const Real s = glm::dot(glm::cross(q - p, e), n) / n2;
   return p + std::clamp(s, Real(0), Real(1)) * d;
 }
 

@@ -14,6 +14,8 @@ enum class Reason {
   no_progress,      ///< rounding forbids any better; the bounds have not met
   iteration_limit,  ///< the best so far
   unbounded,        ///< two half-spaces that overlap: no depth is finite
+  lower_bound,      ///< apart by at least this: no more was asked, or can be told
+  no_answer,        ///< not a pair for this way to ask, or it broke off: distance 0
   out_of_range,     ///< input that is not finite, or too large for its differences
 };
 
@@ -30,6 +32,10 @@ constexpr const char* name_of(Reason reason) {
       return "iteration_limit";
     case Reason::unbounded:
       return "unbounded";
+    case Reason::lower_bound:
+      return "lower_bound";
+    case Reason::no_answer:
+      return "no_answer";
     case Reason::out_of_range:
       return "out_of_range";
   }
@@ -40,7 +46,8 @@ enum class Contact { separated, touching, penetrating };
 
 /// (4.1) The signed distance of two shapes and what goes with it. Moving B by -distance
 /// along the normal makes them just touch. Where several normals serve (ties), it is
-/// one of them.
+/// one of them. The witness points are some pair that is so far apart up to the error:
+/// next to parallel faces, and across a gap, quite different pairs are.
 struct Separation {
   Real distance = 0;      ///< [m] negative: penetration_depth = -distance
   Vec3 normal{0, 0, 1};   ///< unit, from A to B

@@ -32,9 +32,8 @@ std::uint32_t highest_of_all(std::span<const Vec3> vertices, const Vec3& directi
   Real highest = glm::dot(vertices[0], direction);
   for (std::uint32_t i = 1; i < vertices.size(); ++i) {
     const Real height = glm::dot(vertices[i], direction);
-    if (!(height > highest)) continue;
-    best = i;
-    highest = height;
+    best = height > highest ? i : best;
+    highest = std::max(highest, height);
   }
   return best;
 }
@@ -54,6 +53,12 @@ Vec3 core_support(const void* shape, const Vec3& direction, std::uint32_t& hint)
   }
 }
 
+// Of lengths; NaN if one of them is not finite
+Real greatest(const Vec3& lengths) {
+  const Real sum = lengths.x + lengths.y + lengths.z;
+  return std::max({lengths.x, lengths.y, lengths.z}) + 0 * sum;
+}
+
 Real reach(const Sphere&) {
   return 0;
 }
@@ -61,11 +66,11 @@ Real reach(const HalfSpace&) {
   return 0;
 }
 Real reach(const Box& box) {
-  return glm::length(box.half_extents);
+  const Vec3& h = box.half_extents;
+  return length_of(h);
 }
 Real reach(const Ellipsoid& ellipsoid) {
-  const Vec3& s = ellipsoid.semi_axes;
-  return std::max({s.x, s.y, s.z});
+  return greatest(ellipsoid.semi_axes);
 }
 Real reach(const Capsule& capsule) {
   return capsule.height / 2;
@@ -74,13 +79,17 @@ Real reach(const Cylinder& cylinder) {
   return std::hypot(cylinder.radius, cylinder.height / 2);
 }
 Real reach(const Cone& cone) {
-  return std::max(cone.radius, cone.height);
+  return greatest({cone.radius, cone.height, 0});
 }
 Real reach(const HullShape& hull) {
   return hull.reach;
 }
 
 }  // namespace
+
+Real length_of(const Vec3& v) {
+  return std::hypot(v.x, v.y, v.z) + 0 * (v.x + v.y + v.z);
+}
 
 Vec3 unit_or_zero(const Vec3& v) {
   // In units of the largest number, so that squares neither overflow nor vanish
@@ -99,7 +108,7 @@ Vec3 any_perpendicular(const Vec3& unit) {
 HullShape hull_shape(std::span<const Vec3> vertices) {
   Real reach = 0;
   for (const Vec3& v : vertices) {
-    const Real distance = std::hypot(v.x, v.y, v.z);
+    const Real distance = length_of(v);
     if (distance > reach || std::isnan(distance)) reach = distance;
   }
   return {.vertices = vertices, .reach = reach};
@@ -140,12 +149,39 @@ Vec3 support(const HullShape& hull, const Vec3& direction) {
   return hull.vertices[support_vertex(hull, direction, 0)];
 }
 
+std::size_t direction_cell(const Vec3& direction) {
+  const Vec3 size = glm::abs(direction);
+  const Real most = std::max({size.x, size.y, size.z});
+  if (!(most > 0)) return 0;
+  const auto along = [&](Real d) {
+    const Real cell = (d / most + 1) * (Real(k_cells) / 2);
+    return cell < k_cells ? std::size_t(cell) : k_cells - 1;
+  };
+  return (along(direction.x) * k_cells + along(direction.y)) * k_cells
+         + along(direction.z);
+}
+
+Vec3 middle_of_cell(std::size_t cell) {
+  const std::size_t row = cell / k_cells;
+  const std::size_t x = row / k_cells, y = row % k_cells, z = cell % k_cells;
+  const Vec3 along(x, y, z);
+  return (along + Real(0.5)) * (Real(2) / k_cells) - Real(1);
+}
+
 std::uint32_t support_vertex(const HullShape& hull, const Vec3& direction,
                              std::uint32_t start) {
   if (hull.neighbours.empty() || hull.vertices.size() <= k_few)
     return highest_of_all(hull.vertices, direction);
+
+  // From the higher of two vertices
   std::uint32_t top = start < hull.vertices.size() ? start : 0;
   Real height = glm::dot(hull.vertices[top], direction);
+  if (!hull.starts.empty()) {
+    const std::uint32_t other = hull.starts[direction_cell(direction)];
+    const Real other_height = glm::dot(hull.vertices[other], direction);
+    if (other_height > height) top = other;
+    height = std::max(height, other_height);
+  }
   for (std::uint32_t from = top;; from = top) {
     // To the highest neighbour. Heights only grow, so no vertex comes twice
     for (std::uint32_t i = hull.first_neighbour[from];

@@ -45,6 +45,8 @@ struct HalfSpace {
   Real offset;
 };
 
+struct ConvexHull;
+
 /// A view of a polyhedron's vertices, to outlive the query. With `neighbours` (those of
 /// vertex i from first_neighbour[i] up to first_neighbour[i + 1]) supports of large
 /// hulls climb from vertex to vertex; without, they look at each. Vertices far from the
@@ -53,8 +55,10 @@ struct HalfSpace {
 struct HullShape {
   std::span<const Vec3> vertices;  ///< at least one
   std::span<const std::uint32_t> first_neighbour{}, neighbours{};
-  Real volume = 0;  ///< [m³]
-  Real reach = 0;   ///< of the vertex farthest from the origin
+  std::span<const std::uint32_t> starts{};  ///< by direction_cell; may be left out
+  Real volume = 0;                          ///< [m³]
+  Real reach = 0;                           ///< of the vertex farthest from the origin
+  const ConvexHull* hull = nullptr;         ///< whose view it is, if that has faces
 };
 
 /// The view of vertices without neighbours; also of a point, a segment or a triangle.
@@ -77,6 +81,10 @@ Vec3 support(const Cylinder& cylinder, const Vec3& direction);
 Vec3 support(const Cone& cone, const Vec3& direction);
 Vec3 support(const HullShape& hull, const Vec3& direction);
 
+/// The length of a vector, without overflow on the way; NaN if a coordinate is not
+/// finite, which hypot may overlook.
+Real length_of(const Vec3& v);
+
 /// The direction of a vector as long as 1, however long it is; zero of zero.
 Vec3 unit_or_zero(const Vec3& v);
 
@@ -84,8 +92,15 @@ Vec3 unit_or_zero(const Vec3& v);
 /// along.
 Vec3 any_perpendicular(const Vec3& unit);
 
+/// Directions by their cell in a grid across a cube around the origin, so many along
+/// each of its edges, of which those of its surface are in use.
+inline constexpr std::size_t k_cells = 6;
+std::size_t direction_cell(const Vec3& direction);
+Vec3 middle_of_cell(std::size_t cell);
+
 /// (4.3) The index of a hull's support vertex. With neighbours it climbs from `start`,
-/// uphill along the edges: on a convex hull no vertex but the highest has none higher.
+/// or from the hull's own start for such directions if that is higher, uphill along the
+/// edges: on a convex hull no vertex but the highest has none higher.
 std::uint32_t support_vertex(const HullShape& hull, const Vec3& direction,
                              std::uint32_t start);
 

@@ -1,5 +1,7 @@
 #include "common/physics/simplex.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 namespace timestep::inline TIMESTEP_PRECISION {
@@ -86,11 +88,19 @@ Closest closest_on_triangle(const Vertices& vertices, Index i, Index j, Index k)
 
   // The foot keeps its direction where it is next to the origin, but loses its length
   // where the triangle is a sliver; the weighted sum is in the triangle whatever
-  // happens
+  // happens. What is wrong with that one is along the triangle: on to where it is
+  // closest to the origin
   const Vec3 sum =
       closest.weights[i] * p + closest.weights[j] * q + closest.weights[k] * r;
-  if (squared(sum - foot) > k_rounding * k_rounding / 64)
-    closest.point = without(sum, squared(q - p) > squared(r - p) ? q - p : r - p);
+  if (squared(sum - foot) > k_rounding * k_rounding / 64) {
+    const Index end = squared(q - p) > squared(r - p) ? j : k;
+    const Vec3 e = vertices[end].w - p;
+    const Real step = std::clamp(-glm::dot(sum, e) / squared(e), -closest.weights[end],
+                                 closest.weights[i]);
+    closest.weights[i] -= step;
+    closest.weights[end] += step;
+    closest.point = sum + step * e;
+  }
   return closest;
 }
 
@@ -109,11 +119,12 @@ Closest closest_on_tetrahedron(const Vertices& vertices) {
   const Vec3 &r = vertices[2].w, &t = vertices[3].w;
 
   // Signed volumes opposite to the vertices, times 6, against that of the whole. Where
-  // that one may be all rounding, the tetrahedron is flat, and every face a candidate
+  // rounding of a vertex may turn that one inside out, the tetrahedron is flat, and
+  // every face a candidate
   const Vec3 pq = q - p, pr = r - p, pt = t - p;
   const Real whole = glm::dot(pq, glm::cross(pr, pt));
-  const Real size2 = squared(pq) * squared(pr) * squared(pt);
-  if (!(whole * whole > k_rounding * k_rounding * size2))
+  const Real a = glm::length(pq), b = glm::length(pr), c = glm::length(pt);
+  if (!(std::abs(whole) > k_rounding * (a * b + b * c + c * a)))
     return closest_on_faces(vertices, {true, true, true, true});
   const Vec3 q_r = glm::cross(q, r), t_p = glm::cross(t, p);
   const std::array volumes{glm::dot(q_r, t) / whole, -glm::dot(t_p, r) / whole,

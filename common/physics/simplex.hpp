@@ -11,8 +11,8 @@
 
 namespace timestep::inline TIMESTEP_PRECISION {
 
-/// (4.12) The normal of a triangle, twice as long as its area, counter-clockwise. Of one
-/// that is thin, whose plane rounding would tilt, in the next wider type than Real.
+/// (4.12) The normal of a triangle, twice as long as its area, counter-clockwise. Of
+/// one that is thin, whose plane rounding would tilt, in the next wider type than Real.
 Vec3 area_normal(const Vec3& p, const Vec3& q, const Vec3& r);
 
 /// The closest point is the sum of weight w over its vertices.

@@ -25,11 +25,16 @@ struct OtherPrecision : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A kind of case, and from a case's inputs an object with numbers, or lists of them,
-/// under the names of the case's `expected`.
+/// A kind of case, and from a case's inputs an object with numbers, lists of them, or
+/// words, under the names of the case's `expected`.
 struct Kind {
   std::string_view name;
   Json (*compute)(const Json& inputs);
+
+  /// Of a kind whose answers cannot be compared field by field, such as one of several
+  /// right directions: {"expected", "tol"} as they are to be compared with what was
+  /// computed.
+  Json (*restate)(const Json& test, const Json& computed) = nullptr;
 };
 
 }  // namespace timestep::truth
@@ -43,6 +48,7 @@ std::span<const truth::Kind> truth_kinds_02_motions();
 std::span<const truth::Kind> truth_kinds_03_exact();
 std::span<const truth::Kind> truth_kinds_03_mass();
 std::span<const truth::Kind> truth_kinds_03_rotation();
+std::span<const truth::Kind> truth_kinds_04();
 }  // namespace single_precision
 namespace double_precision {
 std::span<const truth::Kind> truth_kinds_01();
@@ -51,6 +57,7 @@ std::span<const truth::Kind> truth_kinds_02_motions();
 std::span<const truth::Kind> truth_kinds_03_exact();
 std::span<const truth::Kind> truth_kinds_03_mass();
 std::span<const truth::Kind> truth_kinds_03_rotation();
+std::span<const truth::Kind> truth_kinds_04();
 }  // namespace double_precision
 }  // namespace timestep
 
