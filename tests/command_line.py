@@ -307,7 +307,7 @@ class Extremes(CommandLine):
     def test_a_blow_up_is_said_and_written_down(self):
         done = self.blow_up("--headless", "--results", "-")
         self.assertEqual(len(done.stderr.splitlines()), 2)  # a line a method
-        self.assertIn("early is no longer finite after step", done.stderr)
+        self.assertIn("early failed at step ", done.stderr)
         result = json.loads(done.stdout)
         self.assertIn("late/step", result["failed"])
         self.assertIn("early/what", result["failed"])
@@ -317,6 +317,14 @@ class Extremes(CommandLine):
         self.assertEqual(list(one["failed"]), ["step", "time", "what"])
         self.assertEqual(one["cost"]["steps"], one["failed"]["step"])
         self.assertIn(one["state"][0]["position"][1], ("nan", "inf", "-inf"))
+
+    def test_a_step_that_cannot_be_taken_is_said_and_written_down(self):
+        done = self.good("--headless", "--results", "-", "--scene", "stuck", "--dt",
+                         "1/64")
+        self.assertEqual(done.stderr, f"{self.name}: early failed at step 8 (t = "
+                                      "0.125 s): no way on\n")
+        self.assertEqual(json.loads(done.stdout)["failed"],
+                         {"step": 8, "time": 0.125, "what": "no way on"})
 
     def test_pictures_survive_a_blow_up(self):
         self.blow_up("--offscreen", *SMALL, "--out", "o", "--frames", "5")

@@ -13,6 +13,7 @@
 #include "common/chapter/names.hpp"
 #include "common/chapter/numbers.hpp"
 #include "common/chapter/outputs.hpp"
+#include "common/chapter/picture.hpp"
 #include "common/chapter/results.hpp"
 #include "common/chapter/session.hpp"
 #include "common/chapter/tables.hpp"
@@ -289,6 +290,27 @@ TEST_CASE("a step that cannot be taken ends its own method, with its words") {
   CHECK(lanes[0].metrics.at(0).value == 10);
   CHECK(lanes[1].steps == 100);
   CHECK_FALSE(lanes[1].failure.has_value());
+  const auto json = nlohmann::json::parse(results_json(plan, lanes));
+  CHECK(json["failed"].size() == 3);
+  CHECK(json["failed"]["refusing/what"] == "no way on");
+}
+
+TEST_CASE("a picture says when a method failed, and how, whichever way it did") {
+  const Chapter chapter = countdown_chapter(10);
+  const Plan plan = make_plan(chapter, {.methods = {"safe", "doomed", "refusing"}});
+  std::vector<Lane> lanes = start_lanes(plan);
+  run_lanes(plan, lanes, {}, [](double) {});
+  DrawList list;
+  add_words(list, plan, lanes, plan.time(plan.steps));
+
+  REQUIRE(list.legend.size() == 3);
+  CHECK(list.legend[0].text == "safe");
+  CHECK(list.legend[1].text == "doomed (failed at 0.011 s)");
+  CHECK(list.legend[2].text == "refusing (failed at 0.011 s)");
+  REQUIRE(list.caption.size() == 4);
+  CHECK(list.caption[1] == "safe: count 100 ");
+  CHECK(list.caption[2] == "doomed: position of a,b is not finite");
+  CHECK(list.caption[3] == "refusing: no way on");
 }
 
 TEST_CASE("tables quote names and leave out what failed") {
