@@ -18,21 +18,27 @@ std::vector<Method> all_choices() {
   return all;
 }
 
-TopRun::TopRun(const Setup& setup, const glm::dvec3& moments,
-               const exact::Turning& start, const Torque& torque)
-    : setup_(setup),
-      moments_(moments),
-      method_(*find_rotation_method(setup.method)),
-      torque_(torque),
-      rotation_{Quat(start.q), Vec3(start.omega)} {}
+BodyRun::BodyRun(const Setup& setup)
+    : setup_(setup), method_(*find_rotation_method(setup.method)) {}
 
-void TopRun::step() {
+void BodyRun::step() {
   try {
-    method_.step(rotation_, Vec3(moments_), torque_, Real(time()), Real(setup_.dt));
+    advance();
   } catch (const Unsolved& unsolved) {
     throw StepFailure(unsolved.what());
   }
   ++steps_;
+}
+
+TopRun::TopRun(const Setup& setup, const glm::dvec3& moments,
+               const exact::Turning& start, const Torque& torque)
+    : BodyRun(setup),
+      moments_(moments),
+      torque_(torque),
+      rotation_{Quat(start.q), Vec3(start.omega)} {}
+
+void TopRun::advance() {
+  method().step(rotation_, Vec3(moments_), torque_, Real(time()), Real(setup().dt));
 }
 
 exact::Turning TopRun::now() const {
