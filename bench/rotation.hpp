@@ -10,7 +10,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "common/physics/exact_top.hpp"
+#include "common/physics/exact_free_top.hpp"
 #include "common/physics/precision.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION::bench {

@@ -8,8 +8,9 @@
 
 #include "common/physics/exact_cue_ball.hpp"
 #include "common/physics/exact_elliptic.hpp"
+#include "common/physics/exact_free_top.hpp"
+#include "common/physics/exact_heavy_top.hpp"
 #include "common/physics/exact_pendulum.hpp"
-#include "common/physics/exact_top.hpp"
 #include "tests/catch.hpp"
 
 using namespace timestep::exact;
@@ -26,9 +27,6 @@ double angle_tolerance(double angle) {
   return 32 * k_u * (1 + std::abs(angle));
 }
 
-dquat about_z(double angle) {
-  return {std::cos(angle / 2), 0, 0, std::sin(angle / 2)};
-}
 dquat about_x(double angle) {
   return {std::cos(angle / 2), std::sin(angle / 2), 0, 0};
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/physics/exact_top.hpp"
+#include "common/physics/exact_free_top.hpp"
 #include "common/physics/gyroscopic.hpp"
 #include "common/physics/rotation_momentum.hpp"
 #include "tests/rotation_run.hpp"

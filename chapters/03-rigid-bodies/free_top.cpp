@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "common/graphics/palette.hpp"
+#include "common/physics/exact_free_top.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION::chapter_03 {
 namespace {

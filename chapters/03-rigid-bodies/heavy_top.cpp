@@ -10,6 +10,7 @@
 #include "common/chapter/trail.hpp"
 #include "common/graphics/input_error.hpp"
 #include "common/graphics/palette.hpp"
+#include "common/physics/exact_heavy_top.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION::chapter_03 {
 namespace {

@@ -7,6 +7,7 @@
 #include "common/chapter/trail.hpp"
 #include "common/graphics/palette.hpp"
 #include "common/physics/exact.hpp"
+#include "common/physics/exact_free_top.hpp"
 #include "common/physics/rigid_body.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION::chapter_03 {

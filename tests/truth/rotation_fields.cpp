@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "common/graphics/input_error.hpp"
-#include "common/physics/exact_top.hpp"
+#include "common/physics/exact_free_top.hpp"
 #include "tests/truth/inputs.hpp"
 
 namespace timestep::truth {
