@@ -49,23 +49,6 @@ exact::Turning wide(const Rotation& r) {
   return {glm::dquat(r.q), glm::dvec3(r.omega)};
 }
 
-glm::dvec3 momentum_of(const exact::Turning& now, const glm::dvec3& moments) {
-  return now.q * (moments * now.omega);
-}
-
-double energy_of(const exact::Turning& now, const glm::dvec3& moments) {
-  return glm::dot(now.omega, moments * now.omega) / 2;
-}
-
-double attitude_error(const glm::dquat& q, const glm::dquat& exact) {
-  const glm::dquat d = glm::conjugate(exact) * q;
-  return 2 * std::atan2(glm::length(glm::dvec3(d.x, d.y, d.z)), std::abs(d.w));
-}
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
 glm::dvec3 moments_of(const Setup& setup) {
   const glm::dvec3 I{setup.parameters.at("i1"), setup.parameters.at("i2"),
                      setup.parameters.at("i3")};

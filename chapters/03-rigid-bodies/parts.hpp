@@ -67,15 +67,6 @@ class TopRun : public BodyRun {
 /// A rotation in double.
 exact::Turning wide(const Rotation& r);
 
-/// (3.13), (3.15), (3.36) in double: angular momentum [kg m²/s], world frame; energy
-/// [J]; angle between two orientations [rad].
-glm::dvec3 momentum_of(const exact::Turning& now, const glm::dvec3& moments);
-double energy_of(const exact::Turning& now, const glm::dvec3& moments);
-double attitude_error(const glm::dquat& q, const glm::dquat& exact);
-
-/// Angle between two vectors [rad]; 0 if one of them is 0.
-double angle_between(const glm::dvec3& a, const glm::dvec3& b);
-
 /// The moments of a scene's parameters i1, i2 and i3. Throws InputError if there is no
 /// body that has them.
 glm::dvec3 moments_of(const Setup& setup);

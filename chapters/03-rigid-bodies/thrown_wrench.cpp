@@ -90,16 +90,18 @@ exact::Motion ThrownWrench::exact_motion(double t) const {
 double ThrownWrench::energy() const {
   const glm::dvec3 v(body_.velocity);
   const double height = static_cast<double>(body_.position.y);
-  return energy_of(turning(), moments())
+  return exact::rotational_energy(turning(), moments())
          + mass() * (glm::dot(v, v) / 2 + parameter("gravity") * height);
 }
 
 void ThrownWrench::observe() {
   const exact::Turning exact = exact::free_top(moments(), start_, time());
-  const glm::dvec3 L0 = momentum_of(start_, moments());
-  worst_attitude_ = std::max(worst_attitude_, attitude_error(turning().q, exact.q));
+  const glm::dvec3 L0 = exact::angular_momentum(start_, moments());
+  worst_attitude_ =
+      std::max(worst_attitude_, exact::angle_between(exact.q, turning().q));
   worst_momentum_ =
-      std::max(worst_momentum_, glm::distance(momentum_of(turning(), moments()), L0));
+      std::max(worst_momentum_,
+               glm::distance(exact::angular_momentum(turning(), moments()), L0));
   const double interval = setup().duration / 7;
   if (time() >= static_cast<double>(past_.size()) * interval)
     past_.push_back(placed(picture(glm::dvec3(body_.position)), turning().q));
@@ -117,9 +119,9 @@ std::vector<BodyState> ThrownWrench::bodies() const {
 
 std::vector<Metric> ThrownWrench::metrics() const {
   const exact::Turning exact = exact::free_top(moments(), start_, time());
-  const double L0 = glm::length(momentum_of(start_, moments()));
+  const double L0 = glm::length(exact::angular_momentum(start_, moments()));
   return {
-      {"attitude_error", "rad", attitude_error(turning().q, exact.q)},
+      {"attitude_error", "rad", exact::angle_between(exact.q, turning().q)},
       {"attitude_error_max", "rad", worst_attitude_},
       {"position_error", "m",
        glm::distance(glm::dvec3(body_.position), exact_motion(time()).x)},
