@@ -25,6 +25,7 @@ import zlib
 EXECUTABLE = pathlib.Path()
 SIZE = ["--size", "160x120"]
 SMALL = [*SIZE, "--no-movie"]
+PATIENCE = 300  # [s] for a run: a machine with much else to do is slow, not wrong
 SUPPRESSIONS = pathlib.Path(__file__).resolve().parent / "lsan.supp"
 
 
@@ -77,7 +78,7 @@ class CommandLine(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="timestep-"))
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def run_it(self, *arguments, prefix=(), timeout=60, **changes):
+    def run_it(self, *arguments, prefix=(), timeout=PATIENCE, **changes):
         command = [*prefix, EXECUTABLE, *map(str, arguments)]
         for more in ({}, {"ASAN_OPTIONS": "detect_leaks=0"}):
             done = subprocess.run(command, text=True, capture_output=True,
@@ -370,7 +371,7 @@ class Extremes(CommandLine):
             while not list(self.folder.glob("o/.partial*results.json")):
                 time.sleep(0.05)
             running.send_signal(number)
-            _, errors = running.communicate(timeout=30)
+            _, errors = running.communicate(timeout=PATIENCE)
             self.assertEqual(running.returncode, 130)
             self.assertEqual(errors, f"{self.name}: interrupted\n")
             self.assertEqual(self.left_behind(), [])

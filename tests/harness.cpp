@@ -19,6 +19,7 @@
 #include "common/chapter/tables.hpp"
 #include "common/graphics/input_error.hpp"
 #include "tests/catch.hpp"
+#include "tests/graphics_paths.hpp"
 
 using namespace timestep;
 
@@ -68,13 +69,6 @@ Chapter countdown_chapter(int good_steps) {
       .duration = 0.1,
       .start = start};
   return {"00-count", "Counting", {scene}, {scene}};
-}
-
-fs::path fresh_folder(const std::string& name) {
-  const fs::path folder = fs::temp_directory_path() / ("timestep-harness-" + name);
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
 }
 
 std::string content(const fs::path& file) {
@@ -314,7 +308,8 @@ TEST_CASE("a picture says when a method failed, and how, whichever way it did") 
 }
 
 TEST_CASE("tables quote names and leave out what failed") {
-  const fs::path folder = fresh_folder("tables");
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
   const Chapter chapter = countdown_chapter(0);
   const Plan plan = make_plan(chapter, {});
   std::vector<Lane> lanes = start_lanes(plan);
@@ -331,7 +326,6 @@ TEST_CASE("tables quote names and leave out what failed") {
         == "time,body,x,y,z,vx,vy,vz\n0,\"safe/a,b\",0,-0,1e-310,1,2,3\n"
            "0,\"doomed/a,b\",0,-0,1e-310,1,2,3\n"
            "0.001,\"safe/a,b\",0.1,-0,1e-310,1,2,3\n");
-  fs::remove_all(folder);
 }
 
 TEST_CASE("the log of metrics stays small and keeps the first sample") {
@@ -384,7 +378,8 @@ TEST_CASE("a session that cannot start says why and does nothing") {
 }
 
 TEST_CASE("outputs appear together or not at all") {
-  const fs::path folder = fresh_folder("outputs");
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
   {
     Outputs outputs;
     std::ofstream(outputs.stage("--out", folder / "new/sub/a.txt")) << "a";
@@ -400,7 +395,6 @@ TEST_CASE("outputs appear together or not at all") {
   CHECK_FALSE(fs::exists(folder / "new/b.txt"));
   CHECK_THROWS_AS(outputs.stage("--out", folder / "new"), InputError);
   CHECK_THROWS_AS(outputs.stage("--out", folder / "new/a.txt/b"), InputError);
-  fs::remove_all(folder);
 }
 
 TEST_CASE("pictures are put side by side") {
