@@ -10,7 +10,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "common/physics/exact_top.hpp"
+#include "common/physics/exact_free_top.hpp"
 #include "common/physics/precision.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION::bench {
@@ -32,14 +32,7 @@ inline std::vector<glm::dvec3> various_spins(std::size_t n) {
 }
 
 inline double energy(const exact::Turning& body) {
-  return glm::dot(body.omega, k_inertia * body.omega) / 2;
-}
-
-/// (3.36) The angle [rad] by which a body stands off from how it should.
-inline double attitude_error(const exact::Turning& is,
-                             const exact::Turning& should_be) {
-  const glm::dquat d = glm::conjugate(should_be.q) * is.q;
-  return 2 * std::atan2(glm::length(glm::dvec3(d.x, d.y, d.z)), std::abs(d.w));
+  return exact::rotational_energy(body, k_inertia);
 }
 
 /// A free top after 1, 10 and 100 s, beside what is exact. What has exploded until then
@@ -51,7 +44,7 @@ void compare_top(benchmark::State& run, const auto& make) {
   for (const int seconds : {1, 10, 100}) {
     for (; steps < seconds * k_steps_a_second; ++steps) top.step();
     const exact::Turning should_be = exact::free_top(k_inertia, start, seconds);
-    const double error = attitude_error(top.first(), should_be);
+    const double error = exact::angle_between(should_be.q, top.first().q);
     if (!std::isfinite(error)) return;
     run.counters["attitude_error_" + std::to_string(seconds) + "_s"] = error;
   }

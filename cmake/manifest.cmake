@@ -11,7 +11,7 @@ set(timestep_manifest
     exact_orbit exact_pendulum"
   "03-rigid-bodies: quaternion mass_properties mesh_mass rotation gyroscopic
     rotation_momentum rotor_splitting rotation_runge_kutta rotations rigid_body exact_top
-    exact_cue_ball"
+    exact_free_top exact_heavy_top exact_cue_ball"
   "04-contacts: pose separation shapes minkowski simplex polytope gjk epa primitives
     side_of_plane quickhull convex_hull sat manifold decomposition
     libccd_query pair_query compound"

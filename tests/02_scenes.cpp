@@ -14,26 +14,15 @@
 
 using namespace timestep;
 
-namespace {
+std::vector<Scene> timestep::tested_scenes() {
+  return chapter_02::scenes();
+}
 
-using Changes = std::map<std::string, double>;
+namespace {
 
 constexpr double k_u = std::numeric_limits<Real>::epsilon() / 2;
 constexpr bool k_double = std::numeric_limits<Real>::digits > 24;
 constexpr double k_g = 9.81;
-
-Scene scene_of(const std::string& name) {
-  return scene_named(chapter_02::scenes(), name);
-}
-
-std::unique_ptr<Simulation> run(const std::string& name, const std::string& method,
-                                double dt, double seconds,
-                                const Changes& changes = {}) {
-  const Scene scene = scene_of(name);
-  Setup setup = setup_of(scene, method, changes);
-  setup.dt = dt;
-  return run_for(scene, setup, seconds);
-}
 
 // By which power of dt a metric falls when the step is halved
 double slope(const std::string& scene, const std::string& method,

@@ -66,7 +66,7 @@ class BadMeshes(unittest.TestCase):
     def throw(self, mesh, *more):
         command = [EXECUTABLE, "--headless", "--results", "-", "--scene",
                    self.scene, "--duration", "0.1", "--mesh", mesh, *more]
-        return subprocess.run(command, text=True, capture_output=True, timeout=60,
+        return subprocess.run(command, text=True, capture_output=True, timeout=300,
                               cwd=self.folder, env=dict(os.environ),
                               stdin=subprocess.DEVNULL)
 

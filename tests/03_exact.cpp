@@ -8,8 +8,9 @@
 
 #include "common/physics/exact_cue_ball.hpp"
 #include "common/physics/exact_elliptic.hpp"
+#include "common/physics/exact_free_top.hpp"
+#include "common/physics/exact_heavy_top.hpp"
 #include "common/physics/exact_pendulum.hpp"
-#include "common/physics/exact_top.hpp"
 #include "tests/catch.hpp"
 
 using namespace timestep::exact;
@@ -26,21 +27,12 @@ double angle_tolerance(double angle) {
   return 32 * k_u * (1 + std::abs(angle));
 }
 
-dquat about_z(double angle) {
-  return {std::cos(angle / 2), 0, 0, std::sin(angle / 2)};
-}
 dquat about_x(double angle) {
   return {std::cos(angle / 2), std::sin(angle / 2), 0, 0};
 }
 
-// The angle between two attitudes
-double apart(const dquat& a, const dquat& b) {
-  const dquat d = glm::conjugate(a) * b;
-  return 2 * std::atan2(std::hypot(d.x, d.y, d.z), std::abs(d.w));
-}
-
 void check_same(const Turning& got, const Turning& want, double tolerance) {
-  CHECK(apart(got.q, want.q) <= tolerance);
+  CHECK(angle_between(got.q, want.q) <= tolerance);
   CHECK(glm::distance(got.omega, want.omega)
         <= tolerance * (1 + glm::length(want.omega)));
 }
@@ -134,6 +126,21 @@ constexpr Ball k_ball{.mass = 0.17, .radius = 0.028575, .k = 0.4, .mu = 0.2, .g 
 
 }  // namespace
 
+TEST_CASE("angles between attitudes and between vectors, small and large") {
+  // Two products of quaternions of length 1: each number a sum of four products, 4 u,
+  // each quaternion 8 u; an angle is twice as large, and rounds in 3 operations itself
+  constexpr double k_tolerance = 2 * (8 + 8) * k_u + 3 * 3 * k_u;
+  for (const double angle : {0.0, 1e-9, 1.0, 3.0}) {
+    const dquat turned = k_tilted * about_z(angle);
+    CHECK(std::abs(angle_between(k_tilted, turned) - angle) <= k_tolerance);
+    CHECK(std::abs(angle_between(k_tilted, -turned) - angle) <= k_tolerance);
+    const dvec3 a(1, 0, 0);
+    const dvec3 b(2 * std::cos(angle), 2 * std::sin(angle), 0);
+    CHECK(std::abs(angle_between(a, b) - angle) <= k_tolerance);
+  }
+  CHECK(angle_between(dvec3(0), dvec3(1, 0, 0)) == 0);
+}
+
 TEST_CASE("Carlson's integrals have their published values") {
   // Carlson (1995), section 3
   CHECK(carlson_rc(0, 0.25) == Approx(k_pi).epsilon(4 * k_u));
@@ -197,8 +204,9 @@ TEST_CASE("free tops turn as the tables say") {
                -0.0677607286835418},
               {-0.6909675969458696, -0.72377183556441, 0.9454887498131958}},
              angle_tolerance(7));
-  CHECK(apart(free_top(I, start, 100).q, {0.4581603824572835, -0.591260027834574,
-                                          0.0009510606873969974, -0.6637015435534435})
+  CHECK(angle_between(free_top(I, start, 100).q,
+                      {0.4581603824572835, -0.591260027834574, 0.0009510606873969974,
+                       -0.6637015435534435})
         <= angle_tolerance(140));
 
   const FreeTopMotion motion = free_top_motion(I, start.omega);
@@ -303,8 +311,9 @@ TEST_CASE("free tops that spin about a principal axis go on so, or not at all") 
       CHECK(now.omega == omega);
       const dvec3 half = 3.5 * omega;
       const double s = std::sin(glm::length(half)) / (1e-300 + glm::length(half));
-      CHECK(apart(now.q, k_tilted * dquat(std::cos(glm::length(half)), s * half))
-            <= angle_tolerance(21));
+      CHECK(
+          angle_between(now.q, k_tilted * dquat(std::cos(glm::length(half)), s * half))
+          <= angle_tolerance(21));
     }
   }
 
@@ -416,7 +425,7 @@ TEST_CASE("heavy tops agree with an independent integration from every start") {
       for (const double omega3 : {0.0, 20.0, -70.0}) {
         const HeavyTopStart start{theta, phi_rate, omega3};
         const Turning first = heavy_turning(k_top, start, 0);
-        CHECK(apart(first.q, about_x(theta)) <= 4 * k_u);
+        CHECK(angle_between(first.q, about_x(theta)) <= 4 * k_u);
         for (const double t : {0.3, -0.4}) {
           // A weak top leaves upright as exp(6.3 t), a hundredfold in 0.73 s
           const double rate = std::abs(omega3) + std::abs(phi_rate) + 20;
@@ -478,7 +487,7 @@ TEST_CASE("a heavy top without spin is a pendulum, through hanging and on") {
 
       // Started 0.01 rad from the top, the 16th digit of pi is 4e-14 of that
       const double tolerance = angle_tolerance(20 * t) + 1e-13;
-      CHECK(apart(now.q, about_x(k_pi - swing.x)) <= tolerance);
+      CHECK(angle_between(now.q, about_x(k_pi - swing.x)) <= tolerance);
       CHECK(now.omega.z == 0);
       CHECK(std::hypot(now.omega.x, now.omega.y)
             == Approx(std::abs(swing.v)).margin(omega0 * tolerance));
@@ -530,7 +539,7 @@ TEST_CASE("heavy tops: no weight, asleep, hanging, at rest") {
     for (const double omega3 : {0.0, 10.0, 62.6, 100.0}) {
       for (const double phi_rate : {0.0, 3.0}) {
         const Turning now = heavy_turning(k_top, {theta, phi_rate, omega3}, 2);
-        CHECK(apart(now.q, about_x(theta) * about_z(2 * omega3))
+        CHECK(angle_between(now.q, about_x(theta) * about_z(2 * omega3))
               <= angle_tolerance(2 * omega3) * 4);
         CHECK(glm::distance(now.omega, {0, 0, omega3}) <= 1e-14 * (1 + phi_rate));
       }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/physics/exact_top.hpp"
+#include "common/physics/exact_free_top.hpp"
 #include "common/physics/gyroscopic.hpp"
 #include "common/physics/rotation_momentum.hpp"
 #include "tests/rotation_run.hpp"
@@ -15,12 +15,8 @@ namespace {
 
 // Angle and angular velocity together
 double distance(const Rotation& a, const exact::Turning& b) {
-  return std::hypot(angle_off(b.q, glm::dquat(a.q)),
+  return std::hypot(exact::angle_between(b.q, glm::dquat(a.q)),
                     glm::length(glm::dvec3(a.omega) - b.omega));
-}
-
-exact::Turning in_double(const Rotation& r) {
-  return {glm::dquat(r.q), glm::dvec3(r.omega)};
 }
 
 exact::Turning exactly(const Rotation& start, const Vec3& I, double t) {
@@ -276,7 +272,7 @@ TEST_CASE("at 60 Hz a free top is where it should be after 100 s") {
   const auto off = [&](const char* name) {
     const Rotation r = turned(rotation_method(name), tumbling(), asymmetric(),
                               no_torque, 1.0 / 60, 6000);
-    return angle_off(end.q, glm::dquat(r.q));
+    return exact::angle_between(end.q, glm::dquat(r.q));
   };
 
   // 4 roundings of omega a step go on as an angle: at random, each for 100 s. dt rounds
@@ -314,7 +310,7 @@ TEST_CASE("a sphere, or a cube, turns about one axis at its angular velocity") {
       // 16 roundings a step of q and of omega, which goes on turning: n²/2 z
       INFO(method.name << " z " << z);
       const double bound = 16 * k_u * (n + z * n * n / 2);
-      CHECK(angle_off(expected, glm::dquat(end.q)) <= bound);
+      CHECK(exact::angle_between(expected, glm::dquat(end.q)) <= bound);
       CHECK(glm::length(end.omega - start.omega) <= 2 * 16 * k_u * n);
     }
 }
@@ -346,7 +342,7 @@ TEST_CASE("a body at rest stays, bit for bit") {
     // Where the length of q rounds off 1, normalising moves it by u, and no further
     const Rotation at_rest{tumbling().q, Vec3(0)};
     const Rotation end = turned(method, at_rest, asymmetric(), no_torque, 0.1, 10'000);
-    CHECK(angle_off(glm::dquat(end.q), glm::dquat(at_rest.q)) <= 8 * k_u);
+    CHECK(exact::angle_between(glm::dquat(end.q), glm::dquat(at_rest.q)) <= 8 * k_u);
     CHECK(end.omega == Vec3(0));
   }
 }

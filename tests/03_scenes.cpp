@@ -1,10 +1,10 @@
 // Chapter 3's scenes, as a program would drive them. Compiled for each precision.
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "chapters/03-rigid-bodies/scenes.hpp"
 #include "common/physics/real.hpp"
@@ -13,9 +13,11 @@
 
 using namespace timestep;
 
-namespace {
+std::vector<Scene> timestep::tested_scenes() {
+  return chapter_03::scenes();
+}
 
-using Changes = std::map<std::string, double>;
+namespace {
 
 constexpr double k_u = std::numeric_limits<Real>::epsilon() / 2;
 constexpr bool k_double = std::numeric_limits<Real>::digits > 24;
@@ -24,23 +26,10 @@ constexpr bool k_double = std::numeric_limits<Real>::digits > 24;
 // additions and multiplications, for the methods without an equation to solve
 constexpr double k_step = 40;
 
-Scene scene_of(const std::string& name) {
-  return scene_named(chapter_03::scenes(), name);
-}
-
-std::unique_ptr<Simulation> run(const std::string& name, const std::string& method,
-                                double dt, double seconds,
-                                const Changes& changes = {}) {
-  const Scene scene = scene_of(name);
-  Setup setup = setup_of(scene, method, changes);
-  setup.dt = dt;
-  return run_for(scene, setup, seconds);
-}
-
 }  // namespace
 
 TEST_CASE("every scene runs with every method and stays finite") {
-  for (const Scene& scene : chapter_03::scenes()) {
+  for (const Scene& scene : tested_scenes()) {
     for (const Method& method : scene.methods) {
       INFO(scene.name << ", " << method.name);
       const auto before = scene.start(setup_of(scene, method.name))->metrics();

@@ -25,6 +25,7 @@ import zlib
 EXECUTABLE = pathlib.Path()
 SIZE = ["--size", "160x120"]
 SMALL = [*SIZE, "--no-movie"]
+PATIENCE = 300  # [s] for a run: a machine with much else to do is slow, not wrong
 SUPPRESSIONS = pathlib.Path(__file__).resolve().parent / "lsan.supp"
 
 
@@ -77,7 +78,7 @@ class CommandLine(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="timestep-"))
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def run_it(self, *arguments, prefix=(), timeout=60, **changes):
+    def run_it(self, *arguments, prefix=(), timeout=PATIENCE, **changes):
         command = [*prefix, EXECUTABLE, *map(str, arguments)]
         for more in ({}, {"ASAN_OPTIONS": "detect_leaks=0"}):
             done = subprocess.run(command, text=True, capture_output=True,
@@ -307,7 +308,7 @@ class Extremes(CommandLine):
     def test_a_blow_up_is_said_and_written_down(self):
         done = self.blow_up("--headless", "--results", "-")
         self.assertEqual(len(done.stderr.splitlines()), 2)  # a line a method
-        self.assertIn("early is no longer finite after step", done.stderr)
+        self.assertIn("early failed at step ", done.stderr)
         result = json.loads(done.stdout)
         self.assertIn("late/step", result["failed"])
         self.assertIn("early/what", result["failed"])
@@ -317,6 +318,14 @@ class Extremes(CommandLine):
         self.assertEqual(list(one["failed"]), ["step", "time", "what"])
         self.assertEqual(one["cost"]["steps"], one["failed"]["step"])
         self.assertIn(one["state"][0]["position"][1], ("nan", "inf", "-inf"))
+
+    def test_a_step_that_cannot_be_taken_is_said_and_written_down(self):
+        done = self.good("--headless", "--results", "-", "--scene", "stuck", "--dt",
+                         "1/64")
+        self.assertEqual(done.stderr, f"{self.name}: early failed at step 8 (t = "
+                                      "0.125 s): no way on\n")
+        self.assertEqual(json.loads(done.stdout)["failed"],
+                         {"step": 8, "time": 0.125, "what": "no way on"})
 
     def test_pictures_survive_a_blow_up(self):
         self.blow_up("--offscreen", *SMALL, "--out", "o", "--frames", "5")
@@ -362,7 +371,7 @@ class Extremes(CommandLine):
             while not list(self.folder.glob("o/.partial*results.json")):
                 time.sleep(0.05)
             running.send_signal(number)
-            _, errors = running.communicate(timeout=30)
+            _, errors = running.communicate(timeout=PATIENCE)
             self.assertEqual(running.returncode, 130)
             self.assertEqual(errors, f"{self.name}: interrupted\n")
             self.assertEqual(self.left_behind(), [])

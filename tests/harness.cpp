@@ -13,11 +13,13 @@
 #include "common/chapter/names.hpp"
 #include "common/chapter/numbers.hpp"
 #include "common/chapter/outputs.hpp"
+#include "common/chapter/picture.hpp"
 #include "common/chapter/results.hpp"
 #include "common/chapter/session.hpp"
 #include "common/chapter/tables.hpp"
 #include "common/graphics/input_error.hpp"
 #include "tests/catch.hpp"
+#include "tests/graphics_paths.hpp"
 
 using namespace timestep;
 
@@ -67,13 +69,6 @@ Chapter countdown_chapter(int good_steps) {
       .duration = 0.1,
       .start = start};
   return {"00-count", "Counting", {scene}, {scene}};
-}
-
-fs::path fresh_folder(const std::string& name) {
-  const fs::path folder = fs::temp_directory_path() / ("timestep-harness-" + name);
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
 }
 
 std::string content(const fs::path& file) {
@@ -289,10 +284,32 @@ TEST_CASE("a step that cannot be taken ends its own method, with its words") {
   CHECK(lanes[0].metrics.at(0).value == 10);
   CHECK(lanes[1].steps == 100);
   CHECK_FALSE(lanes[1].failure.has_value());
+  const auto json = nlohmann::json::parse(results_json(plan, lanes));
+  CHECK(json["failed"].size() == 3);
+  CHECK(json["failed"]["refusing/what"] == "no way on");
+}
+
+TEST_CASE("a picture says when a method failed, and how, whichever way it did") {
+  const Chapter chapter = countdown_chapter(10);
+  const Plan plan = make_plan(chapter, {.methods = {"safe", "doomed", "refusing"}});
+  std::vector<Lane> lanes = start_lanes(plan);
+  run_lanes(plan, lanes, {}, [](double) {});
+  DrawList list;
+  add_words(list, plan, lanes, plan.time(plan.steps));
+
+  REQUIRE(list.legend.size() == 3);
+  CHECK(list.legend[0].text == "safe");
+  CHECK(list.legend[1].text == "doomed (failed at 0.011 s)");
+  CHECK(list.legend[2].text == "refusing (failed at 0.011 s)");
+  REQUIRE(list.caption.size() == 4);
+  CHECK(list.caption[1] == "safe: count 100 ");
+  CHECK(list.caption[2] == "doomed: position of a,b is not finite");
+  CHECK(list.caption[3] == "refusing: no way on");
 }
 
 TEST_CASE("tables quote names and leave out what failed") {
-  const fs::path folder = fresh_folder("tables");
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
   const Chapter chapter = countdown_chapter(0);
   const Plan plan = make_plan(chapter, {});
   std::vector<Lane> lanes = start_lanes(plan);
@@ -309,7 +326,6 @@ TEST_CASE("tables quote names and leave out what failed") {
         == "time,body,x,y,z,vx,vy,vz\n0,\"safe/a,b\",0,-0,1e-310,1,2,3\n"
            "0,\"doomed/a,b\",0,-0,1e-310,1,2,3\n"
            "0.001,\"safe/a,b\",0.1,-0,1e-310,1,2,3\n");
-  fs::remove_all(folder);
 }
 
 TEST_CASE("the log of metrics stays small and keeps the first sample") {
@@ -382,7 +398,8 @@ TEST_CASE("a session that cannot start says why and does nothing") {
 }
 
 TEST_CASE("outputs appear together or not at all") {
-  const fs::path folder = fresh_folder("outputs");
+  const ScratchFolder scratch;
+  const fs::path& folder = scratch.path();
   {
     Outputs outputs;
     std::ofstream(outputs.stage("--out", folder / "new/sub/a.txt")) << "a";
@@ -398,7 +415,6 @@ TEST_CASE("outputs appear together or not at all") {
   CHECK_FALSE(fs::exists(folder / "new/b.txt"));
   CHECK_THROWS_AS(outputs.stage("--out", folder / "new"), InputError);
   CHECK_THROWS_AS(outputs.stage("--out", folder / "new/a.txt/b"), InputError);
-  fs::remove_all(folder);
 }
 
 TEST_CASE("pictures are put side by side") {

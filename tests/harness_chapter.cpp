@@ -1,5 +1,6 @@
 // A tiny chapter for the tests of the harness: a ball that falls, a spring that blows
-// up, scenes that refuse or fail. Not physics to learn from: see chapter 1 for that.
+// up, scenes that get stuck, refuse or fail. Not physics to learn from: see chapter 1
+// for that.
 #include <cmath>
 #include <stdexcept>
 
@@ -125,6 +126,16 @@ class Fails : public Fall<double> {
   }
 };
 
+/// Comes to a step that it cannot take.
+class Stuck : public Fall<double> {
+ public:
+  using Fall<double>::Fall;
+  void step() override {
+    if (elapsed > 0.1) throw StepFailure("no way on");
+    Fall<double>::step();
+  }
+};
+
 const Parameter k_height{"height", "m", "where the ball starts", 2, 0, 100};
 const Parameter k_gravity{"gravity", "m/s^2", "pull downwards", 9.81, 0, 30};
 const Parameter k_spinners{"spinners", "", "bodies that turn", 1, 0, 100, true};
@@ -168,7 +179,7 @@ std::vector<Scene> scenes() {
       .chart_metric = "position_error",
       .start = start<Fall<Real>>};
 
-  Scene spring = fall, mesh = fall, fails = fall, refuses = fall;
+  Scene spring = fall, mesh = fall, stuck = fall, fails = fall, refuses = fall;
   spring.name = "spring";
   spring.summary = "A spring; `late` gains energy, and either blows up at a long step.";
   spring.default_methods = {"early", "late"};
@@ -181,11 +192,13 @@ std::vector<Scene> scenes() {
   mesh.name = "mesh";
   mesh.takes_mesh = mesh.fixes_winding = true;
   mesh.start = start_with_mesh;
+  stuck.name = "stuck";
+  stuck.start = start<Stuck>;
   fails.name = "fails";
   fails.start = start<Fails>;
   refuses.name = "refuses";
   refuses.start = refuse;
-  return {fall, spring, mesh, fails, refuses};
+  return {fall, spring, mesh, stuck, fails, refuses};
 }
 
 }  // namespace

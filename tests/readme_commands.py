@@ -51,7 +51,7 @@ def commands(text: str) -> list[tuple[int, list[str]]]:
 
 @cache
 def output_of(*command: str) -> str:
-    run = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, timeout=60,
+    run = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, timeout=300,
                          stdin=subprocess.DEVNULL)
     if run.returncode != 0:
         raise Fault(f"{' '.join(command)} fails: {(run.stderr or run.stdout).strip()}")

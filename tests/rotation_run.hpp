@@ -7,6 +7,7 @@
 #include <limits>
 #include <string_view>
 
+#include "common/physics/exact_top.hpp"
 #include "common/physics/rotations.hpp"
 #include "tests/catch.hpp"
 
@@ -51,18 +52,16 @@ inline Rotation turned(const RotationMethod& method, Rotation r, const Vec3& I,
   return r;
 }
 
+inline exact::Turning in_double(const Rotation& r) {
+  return {glm::dquat(r.q), glm::dvec3(r.omega)};
+}
+
 inline glm::dvec3 momentum_of(const Rotation& r, const Vec3& I) {
-  return glm::dquat(r.q) * (glm::dvec3(I) * glm::dvec3(r.omega));
+  return exact::angular_momentum(in_double(r), glm::dvec3(I));
 }
 
 inline double energy_of(const Rotation& r, const Vec3& I) {
-  return glm::dot(glm::dvec3(r.omega), glm::dvec3(I) * glm::dvec3(r.omega)) / 2;
-}
-
-/// (3.36) in double.
-inline double angle_off(const glm::dquat& from, const glm::dquat& to) {
-  const glm::dquat d = glm::conjugate(from) * to;
-  return 2 * std::atan2(std::hypot(d.x, d.y, d.z), std::abs(d.w));
+  return exact::rotational_energy(in_double(r), glm::dvec3(I));
 }
 
 inline bool is_finite(const Rotation& r) {

@@ -13,16 +13,21 @@
 
 namespace timestep {
 
-inline const Scene& scene_named(const std::vector<Scene>& scenes,
-                                const std::string& name) {
-  for (const Scene& scene : scenes)
+/// The scenes of the chapter that is tested, which each test file defines.
+std::vector<Scene> tested_scenes();
+
+inline Scene scene_of(const std::string& name) {
+  for (const Scene& scene : tested_scenes())
     if (scene.name == name) return scene;
   throw InputError("no scene " + name);
 }
 
+/// New values of some parameters, by name.
+using Changes = std::map<std::string, double>;
+
 /// The scene's own step and parameters, but for some.
 inline Setup setup_of(const Scene& scene, const std::string& method,
-                      const std::map<std::string, double>& changes = {}) {
+                      const Changes& changes = {}) {
   Setup setup;
   setup.method = method;
   setup.dt = scene.dt;
@@ -47,6 +52,16 @@ inline std::unique_ptr<Simulation> run_for(const Scene& scene, const Setup& setu
   std::unique_ptr<Simulation> simulation = scene.start(setup);
   run(*simulation, std::llround(seconds / setup.dt));
   return simulation;
+}
+
+/// The same of a scene by its name, with steps of dt [s].
+inline std::unique_ptr<Simulation> run(const std::string& name,
+                                       const std::string& method, double dt,
+                                       double seconds, const Changes& changes = {}) {
+  const Scene scene = scene_of(name);
+  Setup setup = setup_of(scene, method, changes);
+  setup.dt = dt;
+  return run_for(scene, setup, seconds);
 }
 
 inline double metric(const Simulation& simulation, const std::string& name) {

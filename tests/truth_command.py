@@ -49,7 +49,7 @@ class TruthCommand(unittest.TestCase):
         return name
 
     def truth(self, *words: str) -> subprocess.CompletedProcess:
-        return subprocess.run([EXECUTABLE, *words], cwd=self.folder, timeout=60,
+        return subprocess.run([EXECUTABLE, *words], cwd=self.folder, timeout=300,
                               capture_output=True, text=True, stdin=subprocess.DEVNULL)
 
     def refused(self, *words: str, says: str = "") -> None:

@@ -2,6 +2,7 @@
 import math
 
 from figure_style import new_figure
+from work_figure import draw_work
 
 TWINS = ("stormer_verlet", "leapfrog", "stormer_verlet_naive_start", "dormand_prince")
 
@@ -90,15 +91,6 @@ def drag(runs):
     return figure
 
 
-def front(points):
-    """Of (cost, error) pairs those that no other beats in both."""
-    best, kept = math.inf, []
-    for cost, error in sorted(points):
-        if error < best:
-            best, kept = error, [*kept, (cost, error)]
-    return kept
-
-
 def measured(runs, sweep, price):
     """Each method's points (cost of an orbit, error, run) in a sweep."""
     points = {}
@@ -110,23 +102,6 @@ def measured(runs, sweep, price):
             error = run.metric("position_error_max", method)
             points.setdefault(method, []).append((run.results["cost"][key] / 10, error, run))
     return points
-
-
-def draw_work(axes, points):
-    """Errors below an orbit as lines, others as marks on the upper edge, and the front."""
-    kept = []
-    for method, three in points.items():
-        usable = [(c, e) for c, e, _ in three if e < 1]
-        kept += usable
-        failed = [(c, 1) for c, e, _ in three if not e < 1]
-        look = three[0][2].look(method)
-        axes.loglog(*zip(*usable) if usable else ([], []), label=method, markersize=4,
-                    **look)
-        axes.plot(*zip(*failed) if failed else ([], []), linestyle="none",
-                  marker=look["marker"], color=look["color"], markersize=3, alpha=0.5)
-    axes.plot(*zip(*front(kept)), color="0.5", linewidth=7, alpha=0.3, zorder=0,
-              label="front")
-    axes.set_ylim(1e-13, 2)
 
 
 def work(runs):

@@ -18,22 +18,18 @@ namespace {
 
 constexpr float k_radius = 0.2F;
 
-class CueStrike : public Simulation {
+class CueStrike : public BodyRun {
  public:
   explicit CueStrike(const Setup& setup);
 
-  void step() override;
   void observe() override;
   std::vector<BodyState> bodies() const override;
   std::vector<Metric> metrics() const override;
-  long long evaluations() const override { return steps_ * method_.evaluations; }
-  long long body_count() const override { return 1; }
   void draw(DrawList& list) const override;
   void draw_reference(DrawList& list) const override;
 
  private:
-  double time() const { return static_cast<double>(steps_) * setup_.dt; }
-  double parameter(const char* name) const { return setup_.parameters.at(name); }
+  void advance() override;
   void strike();
   Vec3 foot() const { return ball_.position - Vec3(0, radius_, 0); }
   Vec3 friction() const;
@@ -42,13 +38,10 @@ class CueStrike : public Simulation {
   exact::BallMotion exact_now() const;
   glm::vec3 place(const glm::dvec3& x) const;
 
-  Setup setup_;
-  RotationMethod method_;
   Real radius_;
   RigidBody ball_;
   double slip_ = 0, rolling_time_ = 0;
   bool rolls_ = false;
-  long long steps_ = 0;
   Trail trail_;
   std::vector<std::pair<glm::vec3, glm::dquat>> past_;  ///< at even intervals
 };
@@ -59,9 +52,7 @@ glm::dvec3 in_scene(const glm::dvec3& v) {
 }
 
 CueStrike::CueStrike(const Setup& setup)
-    : setup_(setup),
-      method_(*find_rotation_method(setup.method)),
-      radius_(Real(parameter("radius"))) {
+    : BodyRun(setup), radius_(Real(parameter("radius"))) {
   if (std::hypot(parameter("above"), parameter("aside")) >= parameter("radius"))
     throw InputError("--set above=… aside=…: the cue misses the ball");
   const Real mass = Real(parameter("mass"));
@@ -76,7 +67,7 @@ void CueStrike::strike() {
   const Real above = Real(parameter("above"));
   const Real aside = Real(parameter("aside"));
   const Real depth = std::sqrt(radius_ * radius_ - above * above - aside * aside);
-  const Vec3 force(Real(parameter("impulse") / setup_.dt), 0, 0);
+  const Vec3 force(Real(parameter("impulse") / setup().dt), 0, 0);
   add_force_at_point(ball_, force, ball_.position + Vec3(-depth, above, -aside));
 }
 
@@ -89,34 +80,29 @@ Vec3 CueStrike::friction() const {
   const Real weight = Real(parameter("gravity")) / ball_.inverse_mass;
   const Real responds =
       ball_.inverse_mass + radius_ * radius_ * ball_.inverse_inertia.x;
-  const Real enough = speed / (responds * Real(setup_.dt));
+  const Real enough = speed / (responds * Real(setup().dt));
   return -std::min(Real(parameter("friction")) * weight, enough) / speed * slip;
 }
 
-void CueStrike::step() {
-  if (steps_ == 0) {
+void CueStrike::advance() {
+  if (steps() == 0) {
     strike();
   } else {
     add_force_at_point(ball_, friction(), foot());
   }
-  try {
-    integrate(ball_, method_.step, Real(setup_.dt));
-  } catch (const Unsolved& unsolved) {
-    throw StepFailure(unsolved.what());
-  }
-  ++steps_;
+  integrate(ball_, method().step, Real(setup().dt));
 }
 
 void CueStrike::observe() {
   // Rolling is a slip that is rounding alone: a thousandth of a thousandth of the speed
   slip_ = static_cast<double>(glm::length(velocity_at(ball_, foot())));
   const double speed = parameter("impulse") / parameter("mass");
-  if (!rolls_ && steps_ > 0 && slip_ <= 1e-6 * speed) {
+  if (!rolls_ && steps() > 0 && slip_ <= 1e-6 * speed) {
     rolls_ = true;
     rolling_time_ = time();
   }
   const glm::vec3 at = place(glm::dvec3(ball_.position));
-  if (time() >= static_cast<double>(past_.size()) * setup_.duration / 8)
+  if (time() >= static_cast<double>(past_.size()) * setup().duration / 8)
     past_.emplace_back(at, ball_.orientation);
   trail_.add(at);
 }
@@ -135,7 +121,7 @@ exact::BallMotion CueStrike::exact_start() const {
 }
 
 exact::BallMotion CueStrike::exact_now() const {
-  if (steps_ == 0) return {exact_start().x, glm::dvec3(0), glm::dvec3(0)};
+  if (steps() == 0) return {exact_start().x, glm::dvec3(0), glm::dvec3(0)};
   return exact::slide_then_roll(exact_ball(), exact_start(), time());
 }
 
@@ -194,11 +180,11 @@ void draw_ball(DrawList& list, const glm::vec3& at, const glm::dquat& q,
 void CueStrike::draw(DrawList& list) const {
   const glm::vec3 at = place(glm::dvec3(ball_.position));
   for (const auto& [x, q] : past_) draw_ball(list, x, q, k_muted);
-  draw_ball(list, at, glm::dquat(ball_.orientation), setup_.style.color);
-  list.lines.push_back({.points = trail_.points(), .color = setup_.style.color});
+  draw_ball(list, at, glm::dquat(ball_.orientation), setup().style.color);
+  list.lines.push_back({.points = trail_.points(), .color = setup().style.color});
 
   // Friction, while there is some
-  if (steps_ > 0 && !rolls_) {
+  if (steps() > 0 && !rolls_) {
     const glm::vec3 foot = at - glm::vec3(0, 0.9F * k_radius, 0);
     const glm::vec3 slip = glm::normalize(glm::vec3(velocity_at(ball_, this->foot())));
     list.arrows.push_back({.from = foot, .to = foot - 0.6F * slip, .color = k_force});
@@ -210,7 +196,7 @@ void CueStrike::draw_reference(DrawList& list) const {
                           .style = reference_style(),
                           .size = 16});
   list.legend.push_back({reference_style(), "exact"});
-  if (steps_ > 0) return;
+  if (steps() > 0) return;
 
   // The cue, about to strike
   const double r = parameter("radius");

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "chapters/03-rigid-bodies/free_top.hpp"
+#include "common/physics/exact_free_top.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION::chapter_03 {
 namespace {

@@ -1,6 +1,5 @@
 """The figures of chapter 3. Each function draws the runs that runs.json lists for it."""
-import math
-
+import work_figure
 from figure_style import new_figure
 
 SHOWN = ("listing_3", "explicit_gyroscopic", "implicit_gyroscopic", "explicit_rescaled_L",
@@ -49,32 +48,12 @@ def shape(runs):
     return figure
 
 
-def front(points):
-    """Of (cost, error) pairs those that no other beats in both."""
-    best, kept = math.inf, []
-    for cost, error in sorted(points):
-        if error < best:
-            best, kept = error, [*kept, (cost, error)]
-    return kept
-
-
 def draw_work(axes, runs):
     """Error against the time of a simulated second, a line a method, and the front."""
-    first, kept = runs[0], []
-    for method in first.methods:
-        points = [(run.results["cost"][f"{method}/wall_seconds"] * 1e5,
-                   run.metric("attitude_error_max", method)) for run in runs]
-        usable = [(c, e) for c, e in points if 0 < e < 1]
-        kept += usable
-        failed = [(c, 1) for c, e in points if not e < 1]
-        look = first.look(method)
-        axes.loglog(*zip(*usable) if usable else ([], []), label=method, markersize=4,
-                    **look)
-        axes.plot(*zip(*failed) if failed else ([], []), linestyle="none",
-                  marker=look["marker"], color=look["color"], markersize=3, alpha=0.5)
-    axes.plot(*zip(*front(kept)), color="0.5", linewidth=7, alpha=0.3, zorder=0,
-              label="front")
-    axes.set_ylim(1e-13, 2)
+    work_figure.draw_work(axes, {
+        method: [(run.results["cost"][f"{method}/wall_seconds"] * 1e5,
+                  run.metric("attitude_error_max", method), run) for run in runs]
+        for method in runs[0].methods})
 
 
 def work(runs):

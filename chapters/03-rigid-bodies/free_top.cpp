@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "common/graphics/palette.hpp"
+#include "common/physics/exact_free_top.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION::chapter_03 {
 namespace {
@@ -77,14 +78,14 @@ void FreeTop::observe() {
   exact_ = exact::free_top(moments(), start_, time());
 
   // Relative to the start, where there was something
-  const glm::dvec3 L = momentum_of(top, moments());
-  const glm::dvec3 L0 = momentum_of(start_, moments());
-  const double E0 = energy_of(start_, moments());
-  attitude_.set(attitude_error(top.q, exact_.q));
-  energy_.set(relative(energy_of(top, moments()) - E0, E0));
+  const glm::dvec3 L = exact::angular_momentum(top, moments());
+  const glm::dvec3 L0 = exact::angular_momentum(start_, moments());
+  const double E0 = exact::rotational_energy(start_, moments());
+  attitude_.set(exact::angle_between(exact_.q, top.q));
+  energy_.set(relative(exact::rotational_energy(top, moments()) - E0, E0));
   momentum_.set(relative(glm::distance(L, L0), glm::length(L0)));
   momentum_length_.set(relative(glm::length(L) - glm::length(L0), glm::length(L0)));
-  momentum_direction_.set(angle_between(L, L0));
+  momentum_direction_.set(exact::angle_between(L, L0));
 
   norm_.set(glm::length(top.q) - 1);
 
@@ -131,7 +132,7 @@ void FreeTop::draw(DrawList& list) const {
       {.points = polhode, .color = color, .width = 1.5F, .dash = Dash::dotted});
 
   // L should stand still, omega should not
-  const glm::dvec3 L = momentum_of(top, moments());
+  const glm::dvec3 L = exact::angular_momentum(top, moments());
   if (glm::length(L) > 0)
     draw_arrow(list, at, k_arrow * picture(glm::normalize(L)), k_ink, "L");
   if (!herpolhode.empty()) draw_arrow(list, at, herpolhode.back() - at, color, "ω");
@@ -140,7 +141,7 @@ void FreeTop::draw(DrawList& list) const {
 void FreeTop::draw_reference(DrawList& list) const {
   const glm::vec3 at = place_of_exact(setup(), k_apart);
   draw_body(list, at, exact_.q, box_of(moments()), k_muted);
-  const glm::dvec3 L = momentum_of(start_, moments());
+  const glm::dvec3 L = exact::angular_momentum(start_, moments());
   if (glm::length(L) > 0)
     draw_arrow(list, at, k_arrow * picture(glm::normalize(L)), k_ink, "L");
   list.labels.push_back({at - glm::vec3(0.4F, 1.5F, 0), "exact", k_ink});

@@ -10,6 +10,7 @@
 #include "common/chapter/trail.hpp"
 #include "common/graphics/input_error.hpp"
 #include "common/graphics/palette.hpp"
+#include "common/physics/exact_heavy_top.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION::chapter_03 {
 namespace {
@@ -77,11 +78,11 @@ class HeavyTop : public TopRun {
   double energy(const exact::Turning& top) const;
   // Angular momentum about the vertical, which the weight does not change
   double upright_momentum(const exact::Turning& top) const {
-    return momentum_of(top, moments()).y;
+    return exact::angular_momentum(top, moments()).y;
   }
   // Of the axis from upright [rad]
   static double tilt(const exact::Turning& top) {
-    return angle_between(top.q * glm::dvec3(0, 0, 1), {0, 1, 0});
+    return exact::angle_between(top.q * glm::dvec3(0, 0, 1), {0, 1, 0});
   }
 
   exact::HeavyTop top_;
@@ -101,13 +102,13 @@ HeavyTop::HeavyTop(const Setup& setup)
 
 double HeavyTop::energy(const exact::Turning& top) const {
   const double height = top_.l * (top.q * glm::dvec3(0, 0, 1)).y;
-  return energy_of(top, moments()) + top_.mass * top_.g * height;
+  return exact::rotational_energy(top, moments()) + top_.mass * top_.g * height;
 }
 
 void HeavyTop::observe() {
   exact_ = exact_at(setup(), time());
   const exact::Turning top = now();
-  worst_attitude_ = std::max(worst_attitude_, attitude_error(top.q, exact_.q));
+  worst_attitude_ = std::max(worst_attitude_, exact::angle_between(exact_.q, top.q));
   worst_energy_ = std::max(worst_energy_, std::abs(energy(top) - energy(start_)));
   worst_momentum_ = std::max(
       worst_momentum_, std::abs(upright_momentum(top) - upright_momentum(start_)));
@@ -130,12 +131,13 @@ std::vector<BodyState> HeavyTop::bodies() const {
 
 // Energies in units of the kinetic energy at the start and the weight's range together
 std::vector<Metric> HeavyTop::metrics() const {
-  const double scale = energy_of(start_, moments()) + 2 * top_.mass * top_.g * top_.l;
+  const double scale =
+      exact::rotational_energy(start_, moments()) + 2 * top_.mass * top_.g * top_.l;
   const exact::HeavyTopStart start = start_of(setup());
   const exact::Nutation exact = exact::nutation(top_, start);
   const auto steady = exact::steady_precession(top_, start.theta, start.omega3);
   return {
-      {"attitude_error", "rad", attitude_error(now().q, exact_.q)},
+      {"attitude_error", "rad", exact::angle_between(exact_.q, now().q)},
       {"attitude_error_max", "rad", worst_attitude_},
       {"energy_error", "", scale > 0 ? (energy(now()) - energy(start_)) / scale : 0},
       {"energy_error_max", "", scale > 0 ? worst_energy_ / scale : 0},

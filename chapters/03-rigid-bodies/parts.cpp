@@ -18,21 +18,27 @@ std::vector<Method> all_choices() {
   return all;
 }
 
-TopRun::TopRun(const Setup& setup, const glm::dvec3& moments,
-               const exact::Turning& start, const Torque& torque)
-    : setup_(setup),
-      moments_(moments),
-      method_(*find_rotation_method(setup.method)),
-      torque_(torque),
-      rotation_{Quat(start.q), Vec3(start.omega)} {}
+BodyRun::BodyRun(const Setup& setup)
+    : setup_(setup), method_(*find_rotation_method(setup.method)) {}
 
-void TopRun::step() {
+void BodyRun::step() {
   try {
-    method_.step(rotation_, Vec3(moments_), torque_, Real(time()), Real(setup_.dt));
+    advance();
   } catch (const Unsolved& unsolved) {
     throw StepFailure(unsolved.what());
   }
   ++steps_;
+}
+
+TopRun::TopRun(const Setup& setup, const glm::dvec3& moments,
+               const exact::Turning& start, const Torque& torque)
+    : BodyRun(setup),
+      moments_(moments),
+      torque_(torque),
+      rotation_{Quat(start.q), Vec3(start.omega)} {}
+
+void TopRun::advance() {
+  method().step(rotation_, Vec3(moments_), torque_, Real(time()), Real(setup().dt));
 }
 
 exact::Turning TopRun::now() const {
@@ -41,23 +47,6 @@ exact::Turning TopRun::now() const {
 
 exact::Turning wide(const Rotation& r) {
   return {glm::dquat(r.q), glm::dvec3(r.omega)};
-}
-
-glm::dvec3 momentum_of(const exact::Turning& now, const glm::dvec3& moments) {
-  return now.q * (moments * now.omega);
-}
-
-double energy_of(const exact::Turning& now, const glm::dvec3& moments) {
-  return glm::dot(now.omega, moments * now.omega) / 2;
-}
-
-double attitude_error(const glm::dquat& q, const glm::dquat& exact) {
-  const glm::dquat d = glm::conjugate(exact) * q;
-  return 2 * std::atan2(glm::length(glm::dvec3(d.x, d.y, d.z)), std::abs(d.w));
-}
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 glm::dvec3 moments_of(const Setup& setup) {

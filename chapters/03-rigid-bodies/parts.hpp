@@ -21,43 +21,51 @@ Scene spin_up_scene();
 /// Every rotation method, as a scene offers it.
 std::vector<Method> all_choices();
 
-/// A simulation that turns one body by one rotation method.
-class TopRun : public Simulation {
+/// A simulation of one body that one rotation method turns.
+class BodyRun : public Simulation {
  public:
-  void step() override;
-  long long evaluations() const override { return steps_ * method_.evaluations; }
-  long long body_count() const override { return 1; }
+  void step() final;
+  long long evaluations() const final { return steps_ * method_.evaluations; }
+  long long body_count() const final { return 1; }
 
+ protected:
+  explicit BodyRun(const Setup& setup);
+
+  /// Moves the body by setup().dt. Throws Unsolved, which ends the run.
+  virtual void advance() = 0;
+
+  const Setup& setup() const { return setup_; }
+  double parameter(const char* name) const { return setup_.parameters.at(name); }
+  const RotationMethod& method() const { return method_; }
+  long long steps() const { return steps_; }
+  double time() const { return static_cast<double>(steps_) * setup_.dt; }
+
+ private:
+  Setup setup_;
+  RotationMethod method_;
+  long long steps_ = 0;
+};
+
+/// One that does nothing but turn.
+class TopRun : public BodyRun {
  protected:
   /// moments: principal moments of inertia [kg m²].
   TopRun(const Setup& setup, const glm::dvec3& moments, const exact::Turning& start,
          const Torque& torque);
 
-  const Setup& setup() const { return setup_; }
+  void advance() override;
+
   const glm::dvec3& moments() const { return moments_; }
-  double time() const { return static_cast<double>(steps_) * setup_.dt; }
   exact::Turning now() const;
 
  private:
-  Setup setup_;
   glm::dvec3 moments_;
-  RotationMethod method_;
   Torque torque_;
   Rotation rotation_;
-  long long steps_ = 0;
 };
 
 /// A rotation in double.
 exact::Turning wide(const Rotation& r);
-
-/// (3.13), (3.15), (3.36) in double: angular momentum [kg m²/s], world frame; energy
-/// [J]; angle between two orientations [rad].
-glm::dvec3 momentum_of(const exact::Turning& now, const glm::dvec3& moments);
-double energy_of(const exact::Turning& now, const glm::dvec3& moments);
-double attitude_error(const glm::dquat& q, const glm::dquat& exact);
-
-/// Angle between two vectors [rad]; 0 if one of them is 0.
-double angle_between(const glm::dvec3& a, const glm::dvec3& b);
 
 /// The moments of a scene's parameters i1, i2 and i3. Throws InputError if there is no
 /// body that has them.

@@ -19,55 +19,43 @@ struct Turned {
   double angle, omega;
 };
 
-class SpinUp : public Simulation {
+class SpinUp : public BodyRun {
  public:
   explicit SpinUp(const Setup& setup);
 
-  void step() override;
   void observe() override;
   std::vector<BodyState> bodies() const override;
   std::vector<Metric> metrics() const override;
-  long long evaluations() const override { return steps_ * method_.evaluations; }
-  long long body_count() const override { return 1; }
   void draw(DrawList& list) const override;
   void draw_reference(DrawList& list) const override;
   CameraPose camera(const CameraPose& usual) const override {
-    return camera_for_lanes(usual, setup_, k_apart);
+    return camera_for_lanes(usual, setup(), k_apart);
   }
 
  private:
-  double time() const { return static_cast<double>(steps_) * setup_.dt; }
+  void advance() override;
   Turned exact_now() const;
 
-  Setup setup_;
   double inertia_, torque_, damping_;
-  RotationMethod method_;
   RigidBody wheel_;
   double angle_ = 0;  // whole turns counted
-  long long steps_ = 0;
 };
 
 SpinUp::SpinUp(const Setup& setup)
-    : setup_(setup),
-      inertia_(setup.parameters.at("inertia")),
-      torque_(setup.parameters.at("torque")),
-      damping_(setup.parameters.at("damping")),
-      method_(*find_rotation_method(setup.method)) {
+    : BodyRun(setup),
+      inertia_(parameter("inertia")),
+      torque_(parameter("torque")),
+      damping_(parameter("damping")) {
   // A disc: half of the moment about its axis belongs to each diameter
   const double I = inertia_;
   wheel_.inverse_inertia = Vec3(glm::dvec3(2 / I, 2 / I, 1 / I));
   wheel_.inverse_mass = 1;
 }
 
-void SpinUp::step() {
+void SpinUp::advance() {
   add_torque(wheel_, {0, 0, Real(torque_)});
-  try {
-    integrate(wheel_, method_.step, Real(setup_.dt));
-  } catch (const Unsolved& unsolved) {
-    throw StepFailure(unsolved.what());
-  }
-  damp(wheel_, 1, Real(damping_), Real(setup_.dt));
-  ++steps_;
+  integrate(wheel_, method().step, Real(setup().dt));
+  damp(wheel_, 1, Real(damping_), Real(setup().dt));
 }
 
 void SpinUp::observe() {
@@ -117,12 +105,12 @@ void draw_wheel(DrawList& list, const glm::vec3& at, double angle, const Color& 
 }
 
 void SpinUp::draw(DrawList& list) const {
-  const glm::vec3 at = place_of_lane(setup_, k_apart);
-  draw_wheel(list, at, angle_, setup_.style.color);
+  const glm::vec3 at = place_of_lane(setup(), k_apart);
+  draw_wheel(list, at, angle_, setup().style.color);
 }
 
 void SpinUp::draw_reference(DrawList& list) const {
-  const glm::vec3 at = place_of_exact(setup_, k_apart);
+  const glm::vec3 at = place_of_exact(setup(), k_apart);
   draw_wheel(list, at, exact_now().angle, k_ink);
   list.labels.push_back({at - glm::vec3(0.3F, 1.35F, 0), "exact", k_ink});
   list.ground_height.reset();

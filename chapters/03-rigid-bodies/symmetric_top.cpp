@@ -12,7 +12,7 @@ class SymmetricTop : public FreeTop {
   SymmetricTop(const Setup& setup, const glm::dvec3& moments,
                const exact::Turning& start)
       : FreeTop(setup, moments, start),
-        momentum_(momentum_of(start, moments)),
+        momentum_(exact::angular_momentum(start, moments)),
         azimuth_(azimuth(start.q)),
         start_azimuth_(azimuth_) {}
 
@@ -24,9 +24,10 @@ class SymmetricTop : public FreeTop {
   std::vector<Metric> metrics() const override {
     const double t = time();
     std::vector<Metric> all = FreeTop::metrics();
-    all.push_back({"cone_angle", "rad", angle_between(axis(now().q), momentum_)});
     all.push_back(
-        {"cone_angle_exact", "rad", angle_between(axis(start().q), momentum_)});
+        {"cone_angle", "rad", exact::angle_between(axis(now().q), momentum_)});
+    all.push_back(
+        {"cone_angle_exact", "rad", exact::angle_between(axis(start().q), momentum_)});
     all.push_back(
         {"precession_rate", "rad/s", t > 0 ? (azimuth_ - start_azimuth_) / t : 0});
     all.push_back(

@@ -4,29 +4,17 @@
 """
 from __future__ import annotations
 
-import json
 import math
-import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "docs"))
-from weave_runs import written  # noqa: E402  (after the path to it)
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent / "docs"))
+import run_table  # noqa: E402  (after the path to it)
+from run_table import metric  # noqa: E402
+from weave_runs import written  # noqa: E402
 
-PROGRAM = ROOT / "build/release/bin/03-rigid-bodies"
-
-
-def run(*arguments: object) -> dict:
-    done = subprocess.run([PROGRAM, "--headless", "--results", "-", *map(str, arguments)],
-                          capture_output=True, text=True)
-    if done.returncode != 0:
-        raise SystemExit(f"tables: {done.stderr.strip()}")
-    return json.loads(done.stdout)
-
-
-def metric(results: dict, method: str, name: str) -> float:
-    return float(results["metrics"][f"{method}/{name}"]["value"])
+run = partial(run_table.run, "03-rigid-bodies")
 
 
 def orders() -> str:
@@ -65,14 +53,5 @@ def normalise() -> str:
     return "\n".join(lines)
 
 
-def main() -> int:
-    tables = {"orders": orders, "normalise": normalise}
-    if len(sys.argv) != 2 or sys.argv[1] not in tables:
-        print(f"tables: name one of {', '.join(tables)}", file=sys.stderr)
-        return 2
-    print(tables[sys.argv[1]]())
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_table.main({"orders": orders, "normalise": normalise}))

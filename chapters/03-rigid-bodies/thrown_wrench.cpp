@@ -7,29 +7,26 @@
 #include "common/chapter/trail.hpp"
 #include "common/graphics/palette.hpp"
 #include "common/physics/exact.hpp"
+#include "common/physics/exact_free_top.hpp"
 #include "common/physics/rigid_body.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION::chapter_03 {
 namespace {
 
-class ThrownWrench : public Simulation {
+class ThrownWrench : public BodyRun {
  public:
   explicit ThrownWrench(const Setup& setup);
 
   std::vector<std::string> notices() const override { return solid_.notices; }
-  void step() override;
   void observe() override;
   std::vector<BodyState> bodies() const override;
   std::vector<Metric> metrics() const override;
-  long long evaluations() const override { return steps_ * method_.evaluations; }
-  long long body_count() const override { return 1; }
   void draw(DrawList& list) const override;
   void draw_reference(DrawList& list) const override;
   CameraPose camera(const CameraPose& usual) const override;
 
  private:
-  double time() const { return static_cast<double>(steps_) * setup_.dt; }
-  double parameter(const char* name) const { return setup_.parameters.at(name); }
+  void advance() override;
   double mass() const { return static_cast<double>(solid_.properties.mass); }
   glm::dvec3 moments() const { return glm::dvec3(solid_.moments); }
   exact::Turning turning() const { return wide(rotation_of(body_)); }
@@ -37,15 +34,12 @@ class ThrownWrench : public Simulation {
   exact::Motion exact_motion(double t) const;
   glm::vec3 tip(const glm::dvec3& at, const glm::dquat& q) const;
 
-  Setup setup_;
-  RotationMethod method_;
   SolidMesh solid_;
   RigidBody body_;
   exact::Motion throw_;
   exact::Turning start_;
   glm::dvec3 furthest_;  ///< from the centre of mass, of the mesh's points
   double start_energy_, worst_attitude_ = 0, worst_momentum_ = 0;
-  long long steps_ = 0;
   Trail centre_, tip_;
   std::vector<glm::mat4> past_;  ///< where the mesh was at even intervals
 };
@@ -67,10 +61,9 @@ exact::Motion throw_of(const Setup& setup) {
 }
 
 ThrownWrench::ThrownWrench(const Setup& setup)
-    : setup_(setup),
-      method_(*find_rotation_method(setup.method)),
+    : BodyRun(setup),
       solid_(load_solid(setup.mesh.empty() ? "wrench.obj" : setup.mesh,
-                        setup.parameters.at("density"), setup.fix_winding)),
+                        parameter("density"), setup.fix_winding)),
       throw_(throw_of(setup)),
       furthest_(furthest_point(*solid_.mesh)) {
   const glm::dvec3 spin{parameter("spin_x"), parameter("spin_y"), parameter("spin_z")};
@@ -84,15 +77,10 @@ ThrownWrench::ThrownWrench(const Setup& setup)
   start_energy_ = energy();
 }
 
-void ThrownWrench::step() {
+void ThrownWrench::advance() {
   const Vec3 g(0, -Real(parameter("gravity")), 0);
   add_force(body_, weight(1 / body_.inverse_mass, g));
-  try {
-    integrate(body_, method_.step, Real(setup_.dt));
-  } catch (const Unsolved& unsolved) {
-    throw StepFailure(unsolved.what());
-  }
-  ++steps_;
+  integrate(body_, method().step, Real(setup().dt));
 }
 
 exact::Motion ThrownWrench::exact_motion(double t) const {
@@ -102,17 +90,19 @@ exact::Motion ThrownWrench::exact_motion(double t) const {
 double ThrownWrench::energy() const {
   const glm::dvec3 v(body_.velocity);
   const double height = static_cast<double>(body_.position.y);
-  return energy_of(turning(), moments())
+  return exact::rotational_energy(turning(), moments())
          + mass() * (glm::dot(v, v) / 2 + parameter("gravity") * height);
 }
 
 void ThrownWrench::observe() {
   const exact::Turning exact = exact::free_top(moments(), start_, time());
-  const glm::dvec3 L0 = momentum_of(start_, moments());
-  worst_attitude_ = std::max(worst_attitude_, attitude_error(turning().q, exact.q));
+  const glm::dvec3 L0 = exact::angular_momentum(start_, moments());
+  worst_attitude_ =
+      std::max(worst_attitude_, exact::angle_between(exact.q, turning().q));
   worst_momentum_ =
-      std::max(worst_momentum_, glm::distance(momentum_of(turning(), moments()), L0));
-  const double interval = setup_.duration / 7;
+      std::max(worst_momentum_,
+               glm::distance(exact::angular_momentum(turning(), moments()), L0));
+  const double interval = setup().duration / 7;
   if (time() >= static_cast<double>(past_.size()) * interval)
     past_.push_back(placed(picture(glm::dvec3(body_.position)), turning().q));
   centre_.add(picture(glm::dvec3(body_.position)));
@@ -129,9 +119,9 @@ std::vector<BodyState> ThrownWrench::bodies() const {
 
 std::vector<Metric> ThrownWrench::metrics() const {
   const exact::Turning exact = exact::free_top(moments(), start_, time());
-  const double L0 = glm::length(momentum_of(start_, moments()));
+  const double L0 = glm::length(exact::angular_momentum(start_, moments()));
   return {
-      {"attitude_error", "rad", attitude_error(turning().q, exact.q)},
+      {"attitude_error", "rad", exact::angle_between(exact.q, turning().q)},
       {"attitude_error_max", "rad", worst_attitude_},
       {"position_error", "m",
        glm::distance(glm::dvec3(body_.position), exact_motion(time()).x)},
@@ -150,7 +140,7 @@ glm::vec3 ThrownWrench::tip(const glm::dvec3& at, const glm::dquat& q) const {
 
 void ThrownWrench::draw(DrawList& list) const {
   const glm::vec3 at = picture(glm::dvec3(body_.position));
-  const Color& color = setup_.style.color;
+  const Color& color = setup().style.color;
   for (const glm::mat4& pose : past_)
     list.meshes.push_back(
         {.mesh = solid_.mesh, .world_from_mesh = pose, .color = k_body});
@@ -160,7 +150,7 @@ void ThrownWrench::draw(DrawList& list) const {
   list.lines.push_back(
       {.points = tip_.points(), .color = color, .width = 1.5F, .fade = true});
   list.lines.push_back({.points = centre_.points(), .color = color, .width = 3});
-  list.markers.push_back({.position = at, .style = setup_.style, .size = 12});
+  list.markers.push_back({.position = at, .style = setup().style, .size = 12});
 }
 
 void ThrownWrench::draw_reference(DrawList& list) const {
@@ -168,7 +158,7 @@ void ThrownWrench::draw_reference(DrawList& list) const {
   constexpr int k_pieces = 240;
   std::vector<glm::vec3> parabola, loops;
   for (int i = 0; i <= k_pieces; ++i) {
-    const double t = setup_.duration * i / k_pieces;
+    const double t = setup().duration * i / k_pieces;
     const glm::dvec3 at = exact_motion(t).x;
     parabola.push_back(picture(at));
     loops.push_back(tip(at, exact::free_top(moments(), start_, t).q));

@@ -57,9 +57,9 @@ void report(const Plan& plan, std::span<const Lane> lanes, const Options& option
   for (const Lane& lane : lanes) {
     if (!lane.failure) continue;
     print_note(plan.chapter->name,
-               fmt::format("{} is no longer finite after step {} (t = {} s): {}",
-                           lane.setup->method, lane.failure->step,
-                           short_text(lane.failure->time), lane.failure->what));
+               fmt::format("{} failed at step {} (t = {} s): {}", lane.setup->method,
+                           lane.failure->step, short_text(lane.failure->time),
+                           lane.failure->what));
   }
   if (options.results == "-") return;
 

@@ -41,7 +41,7 @@ void drop_unshowable(DrawList& list) {
 
 std::string legend_text(const Lane& lane) {
   if (!lane.failure) return lane.setup->method;
-  return fmt::format("{} (not finite after {} s)", lane.setup->method,
+  return fmt::format("{} (failed at {} s)", lane.setup->method,
                      short_text(lane.failure->time));
 }
 

@@ -129,14 +129,21 @@ std::string results_json(const Plan& plan, std::span<const Lane> lanes) {
     add_failure(failed, lane, prefix);
   }
 
-  Json json{
-      {"chapter", plan.chapter->name},       {"scene", plan.scene->name},
-      {"method", method_names(plan)},        {"precision", name(plan.precision)},
-      {"preset", text_or_null(plan.preset)}, {"mesh", text_or_null(plan.mesh.string())},
-      {"fix_winding", plan.fix_winding},     {"dt", plan.dt},
-      {"duration", plan.duration},           {"steps", plan.steps},
-      {"time", plan.time(plan.steps)},       {"parameters", parameters_json(plan)},
-      {"state", std::move(state)},           {"metrics", std::move(metrics)}};
+  Json json;
+  json["chapter"] = plan.chapter->name;
+  json["scene"] = plan.scene->name;
+  json["method"] = method_names(plan);
+  json["precision"] = name(plan.precision);
+  json["preset"] = text_or_null(plan.preset);
+  json["mesh"] = text_or_null(plan.mesh.string());
+  json["fix_winding"] = plan.fix_winding;
+  json["dt"] = plan.dt;
+  json["duration"] = plan.duration;
+  json["steps"] = plan.steps;
+  json["time"] = plan.time(plan.steps);
+  json["parameters"] = parameters_json(plan);
+  json["state"] = std::move(state);
+  json["metrics"] = std::move(metrics);
   const std::vector<std::string> said = notices(lanes);
   if (!said.empty()) json["notices"] = said;
   if (!failed.empty()) json["failed"] = std::move(failed);

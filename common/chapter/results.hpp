@@ -15,7 +15,8 @@ namespace timestep {
 /// What results.json holds: chapter, scene, method, precision, preset, mesh,
 /// fix_winding, dt, duration, steps, time, parameters, state (an array of bodies),
 /// metrics (name: value and unit), notices (only if a scene has any), failed (step,
-/// time, what; only if a number ceased to be finite) and cost.
+/// time, what; only if a number ceased to be finite or a step could not be taken) and
+/// cost.
 ///
 /// With several methods, `method` names them with commas between, and every name inside
 /// state, metrics, failed and cost has its method before it, as in "verlet/energy";

@@ -20,3 +20,9 @@ namespace single_precision {}
 namespace double_precision {}
 #endif
 }  // namespace timestep
+
+// Headers that name both precisions open these namespaces again without `inline`, as
+// the language lets them; Clang warns of it
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Winline-namespace-reopened-noninline"
+#endif

@@ -81,10 +81,4 @@ inline Vec3 in_body(const Quat& q, const Vec3& world) {
   return glm::conjugate(q) * world;
 }
 
-/// (3.36) The angle [rad], 0 to pi, of the one rotation that takes `from` to `to`.
-inline Real angle_between(const Quat& from, const Quat& to) {
-  const Quat d = glm::conjugate(from) * to;
-  return 2 * std::atan2(glm::length(Vec3(d.x, d.y, d.z)), std::abs(d.w));
-}
-
 }  // namespace timestep::inline TIMESTEP_PRECISION

@@ -7,7 +7,8 @@
 
 #include "common/graphics/input_error.hpp"
 #include "common/physics/exact_cue_ball.hpp"
-#include "common/physics/exact_top.hpp"
+#include "common/physics/exact_free_top.hpp"
+#include "common/physics/exact_heavy_top.hpp"
 #include "tests/truth/inputs.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION {

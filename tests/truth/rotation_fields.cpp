@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "common/graphics/input_error.hpp"
-#include "common/physics/exact_top.hpp"
+#include "common/physics/exact_free_top.hpp"
 #include "tests/truth/inputs.hpp"
 
 namespace timestep::truth {
@@ -33,7 +33,7 @@ dvec3 inertia(const Json& inputs) {
 }
 
 dvec3 angular_momentum(const Json& inputs, const Turning& at) {
-  return at.q * (inertia(inputs) * at.omega);
+  return exact::angular_momentum(at, inertia(inputs));
 }
 
 Turning start(const Json& inputs) {
@@ -42,15 +42,6 @@ Turning start(const Json& inputs) {
 
 Turning exactly(const Json& inputs, double t) {
   return exact::free_top(inertia(inputs), start(inputs), t);
-}
-
-double angle_between(const dquat& from, const dquat& to) {
-  const dquat d = glm::conjugate(from) * to;
-  return 2 * std::atan2(std::hypot(d.x, d.y, d.z), std::abs(d.w));
-}
-
-double angle_between(const dvec3& a, const dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 }  // namespace
@@ -68,10 +59,9 @@ dquat quaternion(const Json& inputs, const char* name) {
 }
 
 double energy_ratio(const Json& inputs, const Place& at) {
-  const auto energy = [I = inertia(inputs)](const dvec3& omega) {
-    return glm::dot(omega, I * omega);
-  };
-  return energy(turning(at).omega) / energy(vector(inputs, "omega_body0"));
+  const Turning before{dquat(1, 0, 0, 0), vector(inputs, "omega_body0")};
+  const dvec3 I = inertia(inputs);
+  return exact::rotational_energy(turning(at), I) / exact::rotational_energy(before, I);
 }
 
 Json rotation_fields(const Json& inputs, const Place& end) {
@@ -84,7 +74,7 @@ Json rotation_fields(const Json& inputs, const Place& end) {
           {"omega_body", json(now.omega)},
           {"q_exact", json(exact.q)},
           {"omega_body_exact", json(exact.omega)},
-          {"attitude_error_angle", angle_between(exact.q, now.q)},
+          {"attitude_error_angle", exact::angle_between(exact.q, now.q)},
           {"omega_error", glm::length(now.omega - exact.omega)},
           {"energy_relative_error_end", energy_ratio(inputs, end) - 1},
           {"L_world_relative_error", glm::length(gained) / glm::length(L)}};
@@ -98,13 +88,13 @@ Json listing3_fields(const Json& inputs, const Place& end) {
 
   // L goes round omega; it is farthest from its start on the other side
   const dvec3 omega = start(inputs).q * start(inputs).omega;
-  const double between = angle_between(omega, L0);
+  const double between = exact::angle_between(omega, L0);
   return {{"q_listing3", json(now.q)},
           {"q_exact", json(exact.q)},
-          {"attitude_error_angle", angle_between(exact.q, now.q)},
+          {"attitude_error_angle", exact::angle_between(exact.q, now.q)},
           {"L_error_relative", glm::length(L - L0) / glm::length(L0)},
           {"L_error_relative_max_over_time", 2 * std::sin(between)},
-          {"L_direction_error_angle", angle_between(L0, L)},
+          {"L_direction_error_angle", exact::angle_between(L0, L)},
           {"energy_error_relative", energy_ratio(inputs, end) - 1},
           {"angle_between_omega_and_L", between}};
 }
@@ -138,7 +128,7 @@ Json quaternion_drift_fields(const Json& inputs, const Place& end) {
 Json turned_by_steps(const Json& inputs, const Place& first) {
   const double z = glm::length(vector(inputs, "omega")) * number(inputs, "dt");
   const auto n = static_cast<double>(steps(inputs));
-  const double angle = angle_between(dquat(1, 0, 0, 0), turning(first).q);
+  const double angle = exact::angle_between(dquat(1, 0, 0, 0), turning(first).q);
   return {{"angle_per_step", angle},
           {"angle_after_n_steps", n * angle},
           {"angle_error", n * (angle - z)},
@@ -146,7 +136,7 @@ Json turned_by_steps(const Json& inputs, const Place& first) {
 }
 
 double attitude_error(const Json& inputs, const Place& end) {
-  return angle_between(exactly(inputs, number(inputs, "T")).q, turning(end).q);
+  return exact::angle_between(exactly(inputs, number(inputs, "T")).q, turning(end).q);
 }
 
 Json rotation_order_fields(const Json& inputs, const std::vector<double>& errors) {

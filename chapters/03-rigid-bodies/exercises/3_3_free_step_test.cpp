@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/physics/exact_top.hpp"
 #include "tests/exercise.hpp"
 
 using namespace timestep;
@@ -57,7 +58,7 @@ const std::array<Free, 4> k_free{{
 Real attitude_error(const Free& body, int steps) {
   Rotation r{.omega = body.omega};
   for (int i = 0; i < steps; ++i) free_step(r, body.I, body.t / steps);
-  return angle_between(body.q, r.q);
+  return exact::angle_between(body.q, r.q);
 }
 
 void expect_order(const Free& body, Real least) {
