@@ -13,9 +13,11 @@
 
 using namespace timestep;
 
-namespace {
+std::vector<Scene> timestep::tested_scenes() {
+  return chapter_04::scenes();
+}
 
-using Changes = std::map<std::string, double>;
+namespace {
 
 constexpr double k_u = std::numeric_limits<Real>::epsilon() / 2;
 
@@ -23,13 +25,10 @@ constexpr double k_u = std::numeric_limits<Real>::epsilon() / 2;
 // which is up to 4 m wide, and as many of the coordinates that are rounded to Real
 constexpr double k_rounded = 2 * 16 * 4 * k_u;
 
-Scene scene_of(const std::string& name) {
-  return scene_named(chapter_04::scenes(), name);
-}
-
-std::unique_ptr<Simulation> run(const std::string& name, const std::string& method,
-                                double steps, const Changes& changes = {},
-                                const char* mesh = "") {
+std::unique_ptr<Simulation> run_steps(const std::string& name,
+                                      const std::string& method, double steps,
+                                      const Changes& changes = {},
+                                      const char* mesh = "") {
   const Scene scene = scene_of(name);
   Setup setup = setup_of(scene, method, changes);
   setup.mesh = mesh;
@@ -41,7 +40,7 @@ std::unique_ptr<Simulation> run_all(const std::string& name, const std::string& 
                                     const Changes& changes = {},
                                     const char* mesh = "") {
   const Scene scene = scene_of(name);
-  return run(name, method, scene.duration / scene.dt, changes, mesh);
+  return run_steps(name, method, scene.duration / scene.dt, changes, mesh);
 }
 
 std::map<std::string, double> preset(const std::string& scene,
@@ -62,9 +61,9 @@ TEST_CASE("every scene runs, stays finite and gives the same again") {
     for (const std::string& method : scene.default_methods) {
       INFO(scene.name << ", " << method);
       const char* const mesh = scene.takes_mesh ? "chair.obj" : "";
-      const auto before = run(scene.name, method, 0, {}, mesh)->metrics();
-      const auto one = run(scene.name, method, 10, {}, mesh);
-      const auto two = run(scene.name, method, 10, {}, mesh);
+      const auto before = run_steps(scene.name, method, 0, {}, mesh)->metrics();
+      const auto one = run_steps(scene.name, method, 10, {}, mesh);
+      const auto two = run_steps(scene.name, method, 10, {}, mesh);
       const std::vector<Metric> after = one->metrics(), again = two->metrics();
       REQUIRE(after.size() == before.size());
       for (std::size_t i = 0; i < after.size(); ++i) {
@@ -110,16 +109,16 @@ TEST_CASE(
 
 TEST_CASE("iterations can be done beforehand") {
   for (int from = 0; from < 9; ++from) {
-    const auto ahead = run("step-by-step", "gjk_epa", 9 - from, {{"from", from}});
-    const auto all = run("step-by-step", "gjk_epa", 9);
+    const auto ahead = run_steps("step-by-step", "gjk_epa", 9 - from, {{"from", from}});
+    const auto all = run_steps("step-by-step", "gjk_epa", 9);
     for (const Metric& m : all->metrics()) CHECK(metric(*ahead, m.name) == m.value);
   }
 }
 
 TEST_CASE("each step tells in words what it does") {
   DrawList first, last;
-  run("step-by-step", "gjk_epa", 0)->draw(first);
-  run("step-by-step", "gjk_epa", 12)->draw(last);
+  run_steps("step-by-step", "gjk_epa", 0)->draw(first);
+  run_steps("step-by-step", "gjk_epa", 12)->draw(last);
   REQUIRE(first.caption.size() == 2);
   REQUIRE(last.caption.size() == 2);
   CHECK(first.caption[0].find("GJK, step 0: of a point") == 0);
@@ -130,7 +129,7 @@ TEST_CASE("each step tells in words what it does") {
 TEST_CASE("two boxes a place apart touch along their faces") {
   // 1 m wide, centres 1 m apart along x: all of these numbers are exact
   const auto simulation =
-      run("step-by-step", "gjk_epa", 12, preset("step-by-step", "touching"));
+      run_steps("step-by-step", "gjk_epa", 12, preset("step-by-step", "touching"));
   CHECK(std::abs(metric(*simulation, "distance_final")) <= k_rounded);
 }
 
@@ -217,8 +216,8 @@ TEST_CASE("all pairs of eight shapes come into contact, and are answered right")
 TEST_CASE("closed forms and separating axes take the pairs that they are for") {
   // Spheres with spheres, boxes, capsules and cylinders; capsules; seven with the
   // half-space
-  CHECK(metric(*run("pairs", "closed_form", 1), "pairs_taken") == 4 + 1 + 7);
-  CHECK(metric(*run("pairs", "sat", 1), "pairs_taken") == 2);
+  CHECK(metric(*run_steps("pairs", "closed_form", 1), "pairs_taken") == 4 + 1 + 7);
+  CHECK(metric(*run_steps("pairs", "sat", 1), "pairs_taken") == 2);
 }
 
 TEST_CASE("a chair's parts are its volume, its hull is far more") {

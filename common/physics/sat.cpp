@@ -210,8 +210,9 @@ Edge placed(const Edge& e, const Placement& by) {
   return {by.R * e.from + by.t, by.R * e.along, by.R * e.left, by.R * e.right};
 }
 
-// (4.24) Two edges make a face of the Minkowski difference A - B if, on the unit sphere,
-// the arc from one normal to the other of A's edge crosses that of B's, mirrored
+// (4.24) Two edges make a face of the Minkowski difference A - B if, on the unit
+// sphere, the arc from one normal to the other of A's edge crosses that of B's,
+// mirrored
 bool arcs_cross(const Edge& a, const Edge& b) {
   const Real left_b = glm::dot(b.left, a.along), right_b = glm::dot(b.right, a.along);
   if (left_b * right_b >= 0) return false;
