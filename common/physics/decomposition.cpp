@@ -36,15 +36,15 @@ Real solid_angle(const std::array<Vec3, 3>& triangle, const Vec3& from) {
                                   + glm::dot(c, a) * lb);
 }
 
-// Inside, all 4 pi of the sphere is covered; on the surface, less. What is on the
-// surface needs no more points than the surface has.
+// (4.29) Inside, all 4 pi of the sphere is covered; on the surface, less. What is on
+// the surface needs no more points than the surface has.
 bool is_inside(const Surface& mesh, const Vec3& point) {
   Real covered = 0;
   for (const auto& triangle : mesh) covered += solid_angle(triangle, point);
   return covered > Real(3.5 * std::numbers::pi);
 }
 
-// (4.29) The part of a triangle where side (x[axis] - at) <= 0, in triangles. One in
+// (4.26) The part of a triangle where side (x[axis] - at) <= 0, in triangles. One in
 // the plane itself is a part of the half that it is the surface of.
 void add_clipped(const std::array<Vec3, 3>& triangle, glm::length_t axis, Real at,
                  Real side, Surface& result) {
