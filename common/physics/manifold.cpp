@@ -56,25 +56,37 @@ void fill(const SupportingFace& face, SideName body, Polygon& polygon) {
     polygon.add({face.corners[i], face.sides[i] | body});
 }
 
+// How far the corners of a polygon are above a plane, and whether any is
+struct Heights {
+  std::array<Real, 2 * k_face_capacity> of;
+  bool any_above = false;
+};
+
+void measure(const Polygon& polygon, const Vec3& normal, Real offset,
+             Heights& heights) {
+  Real highest = 0;
+  for (std::size_t i = 0; i < std::size_t(polygon.count); ++i) {
+    heights.of[i] = glm::dot(normal, polygon.corners[i].point) - offset;
+    highest = std::max(highest, heights.of[i]);
+  }
+  heights.any_above = highest > 0;
+}
+
 // (4.26) What of a polygon is not above a plane, by Sutherland and Hodgman
-void clip(const Polygon& polygon, const Vec3& normal, Real offset, SideName side,
+void clip(const Polygon& polygon, const Heights& heights, SideName side,
           Polygon& result) {
   result.count = 0;
-  if (polygon.count == 0) return;
-  const Corner* from = &polygon.at(polygon.count - 1);
-  Real h = glm::dot(normal, from->point) - offset;
-  for (int i = 0; i < polygon.count; ++i) {
-    const Corner& to = polygon.at(i);
-    const Real next_h = glm::dot(normal, to.point) - offset;
+  auto last = std::size_t(polygon.count) - 1;
+  for (std::size_t i = 0; i < std::size_t(polygon.count); last = i++) {
+    const Corner &from = polygon.corners[last], &to = polygon.corners[i];
+    const Real h = heights.of[last], next_h = heights.of[i];
 
     // Leaving, go on along the plane; coming back, along the same side as before
     if ((h <= 0) != (next_h <= 0)) {
-      const Vec3 crossing = from->point + (h / (h - next_h)) * (to.point - from->point);
-      result.add({crossing, h <= 0 ? side : from->side});
+      const Vec3 crossing = from.point + (h / (h - next_h)) * (to.point - from.point);
+      result.add({crossing, h <= 0 ? side : from.side});
     }
     if (next_h <= 0) result.add(to);
-    from = &to;
-    h = next_h;
   }
 }
 
@@ -93,13 +105,16 @@ void add_chords(const SupportingFace& reference, SideName reference_body,
   std::array<Polygon, 2> buffers;
   Polygon *shared = buffers.data(), *spare = shared + 1;
   fill(incident, incident_body, *shared);
+  Heights heights;
   const auto sides = std::size_t(reference.is_boundless ? 0 : reference.count);
   for (std::size_t i = 0; i < sides; ++i) {
     const Vec3& from = reference.corners[i];
     const Vec3& to = reference.corners[i + 1 < sides ? i + 1 : 0];
     const Vec3 outwards = glm::cross(to - from, across);
     const Real offset = glm::dot(outwards, from) + slack * glm::length(outwards);
-    clip(*shared, outwards, offset, reference.sides[i] | reference_body, *spare);
+    measure(*shared, outwards, offset, heights);
+    if (!heights.any_above) continue;
+    clip(*shared, heights, reference.sides[i] | reference_body, *spare);
     std::swap(shared, spare);
   }
 
