@@ -132,19 +132,15 @@ void try_edge_pair(const BoxPair& pair, glm::length_t i, glm::length_t j, Real l
   if (s > least) best = {s, L, SatFeature::edges, Index(i), Index(j)};
 }
 
-Real signed_square(Real x) {
-  return x * std::abs(x);
-}
-
 void try_edges(const BoxPair& pair, Real error, Axis& best) {
   for (glm::length_t j = 0; j < 3; ++j) {
     const Vec3 gaps = gaps_across(pair, j) + error;
-    const Vec3 sine2 = Real(1 + 8 * k_u) - pair.size[j] * pair.size[j];
+    const Vec3 sines2 = Real(1 + 8 * k_u) - pair.size[j] * pair.size[j];
+    const Vec3 sines = glm::sqrt(glm::max(sines2, Real(0)));
     for (glm::length_t i = 0; i < 3; ++i) {
-      // Whether the gap over the sine can be the best, without a root or a division
+      // Whether the gap over the sine can be the best; if it may, with care
       const Real least = to_beat(best, error);
-      if (signed_square(gaps[i]) > signed_square(least) * sine2[i])
-        try_edge_pair(pair, i, j, least, best);
+      if (gaps[i] > least * sines[i]) try_edge_pair(pair, i, j, least, best);
     }
   }
 }
