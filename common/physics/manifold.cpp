@@ -138,7 +138,8 @@ const ContactPoint& deepest_of(std::span<const ContactPoint> points, Real slack)
 
 // (4.27) The deepest point, and of all quadrangles (or triangles) with a corner there
 // the largest: a diagonal, and the point furthest from it on either side
-void keep_four(std::span<const ContactPoint> points, Real slack, Manifold& manifold) {
+void keep_four(std::span<ContactPoint> points, Real slack, Manifold& manifold) {
+  std::ranges::sort(points, {}, &ContactPoint::feature);
   const ContactPoint& first = deepest_of(points, slack);
   std::array<const ContactPoint*, 4> kept{&first, nullptr, nullptr, nullptr};
   Real most = 0;
@@ -163,10 +164,12 @@ void keep_four(std::span<const ContactPoint> points, Real slack, Manifold& manif
     if (p != nullptr) manifold.points[std::size_t(manifold.count++)] = *p;
 }
 
-Real reach(const SupportingFace& face) {
+// How far from the origin the farthest corner is
+Real reach(const SupportingFace& a, const SupportingFace& b) {
   Real most = 0;
-  for (std::size_t i = 0; i < std::size_t(face.count); ++i)
-    most = std::max(most, glm::dot(face.corners[i], face.corners[i]));
+  for (const SupportingFace* face : {&a, &b})
+    for (std::size_t i = 0; i < std::size_t(face->count); ++i)
+      most = std::max(most, glm::dot(face->corners[i], face->corners[i]));
   return std::sqrt(most);
 }
 
@@ -181,7 +184,6 @@ void add_shared(const SupportingFace& a, const SupportingFace& b, const Vec3& no
     add_chords(a, 0, b, k_of_b, normal, margin, slack, found);
   else
     add_chords(b, k_of_b, a, 0, -normal, margin, slack, found);
-  std::ranges::sort(found.all(), {}, &ContactPoint::feature);
 }
 
 SideName side_name(std::size_t face, std::size_t side) {
@@ -286,7 +288,7 @@ SupportingFace supporting_face(const Shape& shape, const Pose& pose,
 Manifold contact_manifold(const SupportingFace& a, const SupportingFace& b,
                           const Separation& separation, Real margin) {
   Manifold manifold{.normal = separation.normal, .points = {}};
-  const Real slack = 64 * k_u * std::max(reach(a), reach(b));
+  const Real slack = 64 * k_u * reach(a, b);
   const Real depth = -separation.distance;
   if (depth < -margin - slack) return manifold;
 

@@ -1,22 +1,28 @@
 // Prints the bits that the physics ends with, so that builds can be compared: every
-// method under every force, the systems, and the exact motions. Compiled once for each
-// precision.
+// method under every force, the systems, contacts, and the exact motions. Compiled once
+// for each precision.
+#include <array>
 #include <cstdio>
 #include <cstring>
+#include <vector>
 
 #include "common/physics/distance_constraint.hpp"
 #include "common/physics/dormand_prince.hpp"
+#include "common/physics/epa.hpp"
 #include "common/physics/euler.hpp"
 #include "common/physics/exact_orbit.hpp"
 #include "common/physics/exact_pendulum.hpp"
 #include "common/physics/forces.hpp"
+#include "common/physics/manifold.hpp"
 #include "common/physics/mesh_mass.hpp"
 #include "common/physics/rigid_body.hpp"
 #include "common/physics/rotations.hpp"
 #include "common/physics/rounding.hpp"
+#include "common/physics/sat.hpp"
 #include "common/physics/schemes.hpp"
 #include "common/physics/stability.hpp"
 #include "common/physics/systems.hpp"
+#include "tests/shape_pairs.hpp"
 
 using namespace timestep;
 
@@ -145,6 +151,33 @@ void print_brick(const RotationMethod& method) {
   for (int i = 0; i < 3; ++i) print(method.name.data(), brick.position[i] + r.omega[i]);
 }
 
+Real sum(const Vec3& v) {
+  return v.x + v.y + v.z;
+}
+
+// Three hundred pairs of shapes, then of hulls with their faces
+void print_contacts() {
+  Random random(4);
+  std::array<std::vector<Vec3>, 2> points;
+  for (int i = 0; i < 300; ++i) {
+    const Shape a = random_shape(random, i % k_shape_kinds, 1, points[0]);
+    const Shape b = random_shape(random, i % 5, 1, points[1]);
+    const Pose pose_a{random.in_cube(), random.turn()};
+    const Pose pose_b{random.in_cube(), random.turn()};
+    const Separation s = separation(convex(a), pose_a, convex(b), pose_b);
+    print("separation", s.distance + sum(s.normal) + sum(s.on_a) + sum(s.on_b));
+  }
+  for (int i = 0; i < 100; ++i) {
+    const ConvexHull a = random_hull(random, 20), b = box_hull(random.sizes(0.1, 1));
+    const Pose pose_a{random.in_cube(), random.turn()};
+    const Pose pose_b{random.in_cube(), random.turn()};
+    const Separation s = sat(a, pose_a, b, pose_b).separation;
+    print("sat", s.distance + sum(s.normal) + a.volume);
+    const Manifold manifold = contact_manifold(a, pose_a, b, pose_b, s);
+    for (const ContactPoint& c : manifold.points) print("contact", sum(c.position));
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -154,6 +187,7 @@ int main() {
   print_systems();
   print_mass();
   for (const RotationMethod& method : rotation_methods()) print_brick(method);
+  print_contacts();
   print("clock", accumulated_time(Real(1) / 60, 100'000));
   for (int i = 0; i < 50; ++i) {
     const double t = 0.1 * i;
