@@ -97,7 +97,7 @@ TEST_CASE("every way to ask finds the same of a pair, or says what it does not k
 
 TEST_CASE("half-spaces are answered by formula, and by those that know one") {
   const Shape plane = HalfSpace{{0, 0, 1}, 1}, ball = Sphere{2};
-  for (const auto name : {"gjk_epa", "closed_form"}) {
+  for (const auto* const name : {"gjk_epa", "closed_form"}) {
     const PairMethod& m = method(name);
     REQUIRE(m.takes(plane, ball));
     const Separation above = m.query(plane, {}, ball, {{0, 0, 4}});
@@ -108,7 +108,7 @@ TEST_CASE("half-spaces are answered by formula, and by those that know one") {
     CHECK(below.normal == Vec3(0, 0, -1));
     CHECK(m.query(plane, {}, plane, {}).reason == Reason::unbounded);
   }
-  for (const auto name : {"sat", "libccd_epa", "libccd_mpr"}) {
+  for (const auto* const name : {"sat", "libccd_epa", "libccd_mpr"}) {
     CHECK(!method(name).takes(plane, ball));
     CHECK(method(name).query(plane, {}, ball, {}).reason == Reason::no_answer);
   }
@@ -136,7 +136,7 @@ TEST_CASE("libccd ends, with a number, on pairs without volume and in ties") {
       hull_shape(point), hull_shape(line), hull_shape(triangle), Sphere{0},
       Sphere{1},         Box{{1, 1, 1}},   Ellipsoid{{1, 1, 1}}, Cylinder{1, 2},
       Cone{1, 1}};
-  for (const auto name : {"libccd_epa", "libccd_mpr"})
+  for (const auto* const name : {"libccd_epa", "libccd_mpr"})
     for (const Shape& a : shapes)
       for (const Shape& b : shapes)
         for (const Real x : {Real(0), Real(1), Real(2), Real(1e-9)}) {

@@ -136,27 +136,29 @@ void StepByStep::tell_gjk(DrawList& list) const {
   if (gjk_.done && cores_meet(gjk_)) {
     list.caption.push_back(
         fmt::format("GJK, step {}: {} holds the origin O", iteration_, simplex));
-    list.caption.push_back("So the shapes have a point in common; how deep, EPA tells");
+    list.caption.emplace_back(
+        "So the shapes have a point in common; how deep, EPA tells");
     return;
   }
   list.caption.push_back(
       fmt::format("GJK, step {}: of {}, v is nearest to the origin O, {} m away",
                   iteration_, simplex, short_text(v)));
   if (gjk_.done) {
-    list.caption.push_back("No point of the difference is nearer: v is the distance");
+    list.caption.emplace_back(
+        "No point of the difference is nearer: v is the distance");
   } else if (gain > length(k_rounding)) {
     list.caption.push_back(
         fmt::format("Against v, the farthest point is w, {} m past v: it joins them",
                     short_text(gain)));
   } else {
-    list.caption.push_back(
+    list.caption.emplace_back(
         "Against v, even the farthest point w is not past v: nothing is nearer");
   }
 }
 
 void StepByStep::tell_epa(DrawList& list) const {
   if (epa_.reason == Reason::flat) {
-    list.caption.push_back("EPA: the difference is flat, so the depth is across it");
+    list.caption.emplace_back("EPA: the difference is flat, so the depth is across it");
     return;
   }
   const double offset = length(lower_), gain = length(upper_ - lower_);
@@ -164,14 +166,15 @@ void StepByStep::tell_epa(DrawList& list) const {
       "EPA, step {}: of {} points' hull, the red face is nearest to O, {} m",
       iteration_, epa_.polytope.vertex_count, short_text(offset)));
   if (done_)
-    list.caption.push_back(
+    list.caption.emplace_back(
         "Nothing is beyond it: that is the depth, and its normal the direction");
   else if (gain > length(k_rounding))
     list.caption.push_back(
         fmt::format("Beyond it, the farthest point is w, by {} m: it joins them",
                     short_text(gain)));
   else
-    list.caption.push_back("No point w is beyond it: it is the difference's own face");
+    list.caption.emplace_back(
+        "No point w is beyond it: it is the difference's own face");
 }
 
 void StepByStep::draw(DrawList& list) const {
