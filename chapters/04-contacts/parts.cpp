@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -24,10 +23,6 @@ const PairMethod& method_named(const std::string& name) {
 
 Pose pose_of(const Placement& placement) {
   return {Vec3(placement.position), Quat(placement.orientation)};
-}
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 Color with_alpha(const Color& color, float alpha) {

@@ -23,9 +23,6 @@ const PairMethod& method_named(const std::string& name);
 /// The pose that a placement rounds to.
 Pose pose_of(const Placement& placement);
 
-/// Angle between two unit vectors [rad].
-double angle_between(const glm::dvec3& a, const glm::dvec3& b);
-
 // Pictures. Coordinates are those of the physics, y up.
 
 inline constexpr Color k_color_a{0.36F, 0.62F, 0.80F, 1};

@@ -7,6 +7,7 @@
 #include "chapters/04-contacts/judgement.hpp"
 #include "chapters/04-contacts/parts.hpp"
 #include "common/graphics/palette.hpp"
+#include "common/physics/exact_top.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION::chapter_04 {
 namespace {
@@ -121,8 +122,9 @@ void Sweep::look_for_jumps() {
   const double change = std::abs(static_cast<double>(answer_.distance)
                                  - static_cast<double>(previous_.distance));
   distance_jump_ = std::max(distance_jump_, change - moved);
-  normal_jump_ = std::max(normal_jump_, angle_between(glm::dvec3(answer_.normal),
-                                                      glm::dvec3(previous_.normal)));
+  normal_jump_ = std::max(
+      normal_jump_,
+      exact::angle_between(glm::dvec3(answer_.normal), glm::dvec3(previous_.normal)));
 }
 
 // The largest coordinate, whose rounding moves surfaces [m]
@@ -137,7 +139,7 @@ void Sweep::observe() {
   judge(worst_, answer_, pair(), known_, farthest());
   if (steps_ > 0) {
     look_for_jumps();
-    const double turned = angle_between(before.normal, known_.normal);
+    const double turned = exact::angle_between(before.normal, known_.normal);
     normal_jump_known_ = std::max(normal_jump_known_, turned);
   }
   previous_ = answer_;
