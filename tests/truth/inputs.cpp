@@ -10,6 +10,8 @@
 namespace timestep::truth {
 namespace {
 
+constexpr int k_longest_list = 10000;
+
 long long whole(const Json& value, const char* name, double least, double most) {
   const double n = value.is_number() ? value.get<double>() : -1;
   if (!(n >= least && n <= most) || n != std::floor(n))
@@ -36,6 +38,34 @@ double not_negative(const Json& inputs, const char* name) {
   const double value = number(inputs, name);
   if (!(value >= 0)) throw InputError(fmt::format("{}: must not be below 0", name));
   return value;
+}
+
+double between(const Json& inputs, const char* name, double least, double most) {
+  const double value = number(inputs, name);
+  if (!(value >= least && value <= most))
+    throw InputError(fmt::format("{}: must be from {:g} to {:g}", name, least, most));
+  return value;
+}
+
+int count(const Json& inputs, const char* name) {
+  return static_cast<int>(whole(inputs.at(name), name, 1, k_longest_list));
+}
+
+std::vector<double> numbers(const Json& inputs, const char* name) {
+  const Json& v = inputs.at(name);
+  const auto is_number = [](const Json& part) { return part.is_number(); };
+  if (!v.is_array() || !std::ranges::all_of(v, is_number) || v.empty()
+      || v.size() > k_longest_list)
+    throw InputError(
+        fmt::format("{}: must be a list of 1 to {} numbers", name, k_longest_list));
+  return v.get<std::vector<double>>();
+}
+
+std::vector<double> positive_numbers(const Json& inputs, const char* name) {
+  std::vector<double> all = numbers(inputs, name);
+  if (!(std::ranges::min(all) > 0))
+    throw InputError(fmt::format("{}: must be above 0", name));
+  return all;
 }
 
 glm::dvec3 vector(const Json& inputs, const char* name) {

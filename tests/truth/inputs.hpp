@@ -15,8 +15,18 @@ double number(const Json& inputs, const char* name);
 double positive(const Json& inputs, const char* name);
 double not_negative(const Json& inputs, const char* name);
 
+/// From `least` to `most`, both of them included.
+double between(const Json& inputs, const char* name, double least, double most);
+
+/// A whole number of things to list, from 1 to 10000.
+int count(const Json& inputs, const char* name);
+
 /// Three numbers.
 glm::dvec3 vector(const Json& inputs, const char* name);
+
+/// A list of 1 to 10000 numbers.
+std::vector<double> numbers(const Json& inputs, const char* name);
+std::vector<double> positive_numbers(const Json& inputs, const char* name);
 
 /// The number n of steps, which all the time of a case depends on.
 long long steps(const Json& inputs);

@@ -49,6 +49,9 @@ std::span<const truth::Kind> truth_kinds_03_exact();
 std::span<const truth::Kind> truth_kinds_03_mass();
 std::span<const truth::Kind> truth_kinds_03_rotation();
 std::span<const truth::Kind> truth_kinds_04();
+std::span<const truth::Kind> truth_kinds_06();
+std::span<const truth::Kind> truth_kinds_06_exact();
+std::span<const truth::Kind> truth_kinds_06_motions();
 }  // namespace single_precision
 namespace double_precision {
 std::span<const truth::Kind> truth_kinds_01();
@@ -58,6 +61,9 @@ std::span<const truth::Kind> truth_kinds_03_exact();
 std::span<const truth::Kind> truth_kinds_03_mass();
 std::span<const truth::Kind> truth_kinds_03_rotation();
 std::span<const truth::Kind> truth_kinds_04();
+std::span<const truth::Kind> truth_kinds_06();
+std::span<const truth::Kind> truth_kinds_06_exact();
+std::span<const truth::Kind> truth_kinds_06_motions();
 }  // namespace double_precision
 }  // namespace timestep
 
@@ -70,5 +76,6 @@ namespace timestep::truth {
 std::span<const Kind> single_tolerances();
 std::span<const Kind> single_tolerances_03_mass();
 std::span<const Kind> single_tolerances_03_rotation();
+std::span<const Kind> single_tolerances_06();
 
 }  // namespace timestep::truth

@@ -37,13 +37,19 @@ std::vector<Kind> find_kinds(const std::string& name, Precision precision) {
       single_precision::truth_kinds_03_mass(),
       single_precision::truth_kinds_03_rotation(),
       single_precision::truth_kinds_04(),
+      single_precision::truth_kinds_06(),
+      single_precision::truth_kinds_06_exact(),
+      single_precision::truth_kinds_06_motions(),
       double_precision::truth_kinds_01(),
       double_precision::truth_kinds_02(),
       double_precision::truth_kinds_02_motions(),
       double_precision::truth_kinds_03_exact(),
       double_precision::truth_kinds_03_mass(),
       double_precision::truth_kinds_03_rotation(),
-      double_precision::truth_kinds_04()};
+      double_precision::truth_kinds_04(),
+      double_precision::truth_kinds_06(),
+      double_precision::truth_kinds_06_exact(),
+      double_precision::truth_kinds_06_motions()};
   if (precision == Precision::double_bits) std::ranges::reverse(libraries);
 
   std::vector<Kind> found;
@@ -57,7 +63,8 @@ std::vector<Kind> find_kinds(const std::string& name, Precision precision) {
 Json derived_tolerance(const Json& test, Precision precision) {
   if (precision == Precision::double_bits) return Json::object();
   for (const auto& all : {single_tolerances(), single_tolerances_03_mass(),
-                          single_tolerances_03_rotation()}) {
+                          single_tolerances_03_rotation(),
+                          single_tolerances_06()}) {
     const auto found = std::ranges::find(all, test.at("kind"), &Kind::name);
     if (found != all.end()) return found->compute(test.at("inputs"));
   }
@@ -77,11 +84,16 @@ std::vector<double> components(const Json& value) {
   return all;
 }
 
-// |got - expected| <= abs + rel max|expected| + extra; NaN never passes.
+bool all_close(const Json& got, const Json& expected, double rel, double abs,
+               const Json& extra);
+
+// |got - expected| <= abs + rel max|expected| + extra; NaN never passes. A word, true
+// and false must be the same.
 bool close(const Json& got, const Json& expected, double rel, double abs,
            const Json& extra) {
+  if (expected.is_object()) return all_close(got, expected, rel, abs, extra);
+  if (expected.is_string() || expected.is_boolean()) return got == expected;
   if (got.is_null() && expected.is_null()) return true;
-  if (got.is_string() && expected.is_string()) return got == expected;
   const std::vector<double> g = components(got);
   const std::vector<double> e = components(expected);
   std::vector<double> x = components(extra);
@@ -93,6 +105,16 @@ bool close(const Json& got, const Json& expected, double rel, double abs,
     if (!std::isfinite(g[i]) || !(std::abs(g[i] - e[i]) <= abs + rel * largest + x[i]))
       return false;
   return true;
+}
+
+// The same of every field of an object; `extra` is one, or holds for all fields.
+bool all_close(const Json& got, const Json& expected, double rel, double abs,
+               const Json& extra) {
+  return std::ranges::all_of(expected.items(), [&](const auto& field) {
+    const Json more = extra.is_object() ? extra.value(field.key(), Json(0.0)) : extra;
+    return got.contains(field.key())
+           && close(got.at(field.key()), field.value(), rel, abs, more);
+  });
 }
 
 // A quaternion and its opposite are one orientation. The files hold the one whose first

@@ -1,0 +1,262 @@
+#include "common/physics/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "common/physics/pair_query.hpp"
+#include "common/physics/primitives.hpp"
+#include "common/physics/sat.hpp"
+
+namespace timestep::inline TIMESTEP_PRECISION {
+namespace {
+
+bool is_static(const RigidBody& body) {
+  return body.inverse_mass == 0;
+}
+
+// How fast any point of a collider is at most, beside the body's velocity
+Real spin_speed(const RigidBody& body, const Collider& collider) {
+  if (std::holds_alternative<HalfSpace>(collider.shape)) return 0;
+  const Convex shape = convex(collider.shape);
+  const Real arm = glm::length(collider.pose.position) + shape.reach + shape.radius;
+  return arm * glm::length(body.angular_velocity);
+}
+
+// How far any point of a collider moves in dt at the body's velocity, or falls
+Real travel(const RigidBody& body, const Collider& collider, Real acceleration,
+            Real dt) {
+  const Real speed = glm::length(body.velocity) + spin_speed(body, collider);
+  return dt * (speed + (is_static(body) ? 0 : dt / 2 * acceleration));
+}
+
+// Of a box and a ball without asking their support functions six times
+Bounds fast_bounds(const Shape& shape, const Pose& pose) {
+  Vec3 half;
+  if (const auto* box = std::get_if<Box>(&shape)) {
+    const Mat3 R = matrix_of(pose.orientation);
+    for (glm::length_t i = 0; i < 3; ++i)
+      half[i] = std::abs(R[0][i]) * box->half_extents.x
+                + std::abs(R[1][i]) * box->half_extents.y
+                + std::abs(R[2][i]) * box->half_extents.z;
+  } else if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+    half = Vec3(sphere->radius);
+  } else {
+    return bounds(shape, pose);
+  }
+  return {pose.position - half, pose.position + half};
+}
+
+void place(std::span<const RigidBody> bodies, std::span<const Collider> colliders,
+           Real margin, Real acceleration, Real dt, ContactSearch& search) {
+  search.poses.clear();
+  search.reaches.clear();
+  search.boxes.clear();
+  for (const Collider& collider : colliders) {
+    const RigidBody& body = bodies[collider.body];
+    const Pose pose = world_pose(body, collider);
+    const Real reach = travel(body, collider, acceleration, dt);
+    Bounds box = fast_bounds(collider.shape, pose);
+    box.low -= margin / 2 + reach;
+    box.high += margin / 2 + reach;
+    search.poses.push_back(pose);
+    search.reaches.push_back(reach);
+    search.boxes.push_back(box);
+  }
+}
+
+bool overlap(const Bounds& a, const Bounds& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y
+         && b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+// The axis along which the boxes' middles are spread most, so that fewest overlap
+glm::length_t widest_axis(std::span<const Bounds> boxes) {
+  Vec3 sum(0), squares(0);
+  Real count = 0;
+  for (const Bounds& box : boxes) {
+    const Vec3 middle = (box.low + box.high) / Real(2);
+    if (!std::isfinite(middle.x)) continue;
+    sum += middle;
+    squares += middle * middle;
+    ++count;
+  }
+  const Vec3 spread = squares - sum * sum / std::max(count, Real(1));
+  glm::length_t axis = 0;
+  for (const glm::length_t i : {1, 2})
+    if (spread[i] > spread[axis]) axis = i;
+  return axis;
+}
+
+// As many as before, in the order of before, which is nearly right
+void keep_order(std::size_t count, std::vector<std::uint32_t>& order) {
+  if (order.size() != count) {
+    order.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
+  }
+}
+
+// Nothing where the axes cannot tell: a lower bound of a distance is one only where
+// faces are on each other
+std::optional<Manifold> touching_boxes(const Box& a, const Pose& pose_a, const Box& b,
+                                       const Pose& pose_b, Real margin) {
+  const SatResult found = sat(a, pose_a, b, pose_b);
+  if (found.separation.distance > margin) return Manifold{};
+  const Manifold manifold =
+      contact_manifold(a, pose_a, b, pose_b, found.separation, margin);
+  if (found.separation.distance > 0 && manifold.count < 3) return {};
+  return manifold;
+}
+
+Real deepest(const Manifold& manifold) {
+  Real most = manifold.points[0].depth;
+  for (int i = 1; i < manifold.count; ++i)
+    most = std::max(most, manifold.points[std::size_t(i)].depth);
+  return most;
+}
+
+// A collider on its body, and where it is
+struct Mover {
+  const Collider& collider;
+  const RigidBody& body;
+  const Pose& pose;
+};
+
+Pose pose_after(const Mover& mover, Real time) {
+  if (time == 0) return mover.pose;
+  RigidBody body = mover.body;
+  body.position += time * body.velocity;
+  body.orientation =
+      glm::normalize(rotation_by(time * body.angular_velocity) * body.orientation);
+  return world_pose(body, mover.collider);
+}
+
+// When a pair that is apart will be within a hundredth of the margin, at most dt: on
+// and on by the time that it takes at least, whichever of their points is nearest
+Real meeting_time(const Mover& a, const Mover& b, Real margin, Real dt) {
+  constexpr int k_most_steps = 16;
+  Real time = 0;
+  for (int i = 0; i < k_most_steps; ++i) {
+    const Separation s = separation(a.collider.shape, pose_after(a, time),
+                                    b.collider.shape, pose_after(b, time));
+    if (s.distance <= margin / 100) return time;
+    const Vec3 v = b.body.velocity - a.body.velocity;
+    const Real closing = spin_speed(a.body, a.collider) + spin_speed(b.body, b.collider)
+                         - glm::dot(v, s.normal);
+    if (closing * (dt - time) <= s.distance) return dt;
+    time += s.distance / closing;
+  }
+  return time;
+}
+
+// A point of a manifold, which may be that of a time within the step: the arms are as
+// they will be, the gap is what closes until then
+PointContact contact_at(const Mover& a, const Mover& b, const Manifold& manifold,
+                        const ContactPoint& point, Real time) {
+  const Vec3 moved_a = time * a.body.velocity, moved_b = time * b.body.velocity;
+  const Vec3 start_a = on_a(manifold, point) - moved_a;
+  const Vec3 start_b = on_b(manifold, point) - moved_b;
+  const Vec3 turned =
+      time
+      * (glm::cross(b.body.angular_velocity, start_b - b.body.position)
+         - glm::cross(a.body.angular_velocity, start_a - a.body.position));
+  const Real closed = glm::dot(manifold.normal, moved_b - moved_a + turned);
+  PointContact contact{.a = a.collider.body,
+                       .b = b.collider.body,
+                       .collider_a = a.collider.id,
+                       .collider_b = b.collider.id,
+                       .feature = point.feature,
+                       .position = (start_a + start_b) / Real(2),
+                       .normal = manifold.normal,
+                       .depth = point.depth + closed,
+                       .friction = mixed_friction(a.collider, b.collider),
+                       .restitution = mixed_restitution(a.collider, b.collider)};
+  if (contact.depth < 0) contact.across = start_b - start_a;
+  return contact;
+}
+
+}  // namespace
+
+Manifold touch(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b,
+               Real margin) {
+  const Box *box_a = std::get_if<Box>(&a), *box_b = std::get_if<Box>(&b);
+  if (box_a != nullptr && box_b != nullptr)
+    if (const auto found = touching_boxes(*box_a, pose_a, *box_b, pose_b, margin))
+      return *found;
+  const auto closed = closed_form(a, pose_a, b, pose_b);
+  const Separation s = closed ? *closed : separation(a, pose_a, b, pose_b);
+  if (s.reason == Reason::out_of_range || s.reason == Reason::unbounded) return {};
+  return contact_manifold(a, pose_a, b, pose_b, s, margin);
+}
+
+void find_pairs(std::span<const RigidBody> bodies, std::span<const Collider> colliders,
+                ContactSearch& search) {
+  const std::vector<Bounds>& boxes = search.boxes;
+  const glm::length_t axis = widest_axis(boxes);
+  keep_order(boxes.size(), search.order);
+  std::ranges::sort(search.order, {},
+                    [&](std::uint32_t i) { return std::tuple(boxes[i].low[axis], i); });
+
+  search.pairs.clear();
+  for (std::size_t i = 0; i < search.order.size(); ++i) {
+    const std::uint32_t first = search.order[i];
+    const bool first_is_static = is_static(bodies[colliders[first].body]);
+    for (std::size_t k = i + 1; k < search.order.size(); ++k) {
+      const std::uint32_t other = search.order[k];
+      if (boxes[other].low[axis] > boxes[first].high[axis]) break;
+      if (!overlap(boxes[first], boxes[other])) continue;
+      const std::uint32_t body = colliders[other].body;
+      if (body == colliders[first].body) continue;
+      if (first_is_static && is_static(bodies[body])) continue;
+      search.pairs.push_back({std::min(first, other), std::max(first, other)});
+    }
+  }
+  std::ranges::sort(search.pairs, {}, [](const ColliderPair& pair) {
+    return std::uint64_t(pair.a) << 32 | pair.b;
+  });
+}
+
+void find_contacts(std::span<const RigidBody> bodies,
+                   std::span<const Collider> colliders, Real margin, Real acceleration,
+                   Real dt, ContactSearch& search,
+                   std::vector<PointContact>& contacts) {
+  place(bodies, colliders, margin, acceleration, dt, search);
+  find_pairs(bodies, colliders, search);
+  contacts.clear();
+  for (const auto& [i, k] : search.pairs) {
+    const Mover a{colliders[i], bodies[colliders[i].body], search.poses[i]};
+    const Mover b{colliders[k], bodies[colliders[k].body], search.poses[k]};
+    const Real reach = search.reaches[i] + search.reaches[k];
+    Manifold manifold =
+        touch(a.collider.shape, a.pose, b.collider.shape, b.pose, margin + reach);
+    Real time = 0;
+    if (manifold.count > 0 && deepest(manifold) < -margin) {
+      time = meeting_time(a, b, margin, dt);
+      manifold = touch(a.collider.shape, pose_after(a, time), b.collider.shape,
+                       pose_after(b, time), margin);
+    }
+    for (int p = 0; p < manifold.count; ++p)
+      contacts.push_back(
+          contact_at(a, b, manifold, manifold.points[std::size_t(p)], time));
+  }
+}
+
+void carry_impulses(std::span<const PointContact> before,
+                    std::span<PointContact> contacts) {
+  const auto pair_of = [](const PointContact& c) {
+    return std::uint64_t(c.collider_a) << 32 | c.collider_b;
+  };
+  std::size_t start = 0;
+  for (PointContact& contact : contacts) {
+    while (start < before.size() && pair_of(before[start]) < pair_of(contact)) ++start;
+    for (std::size_t i = start; i < before.size(); ++i) {
+      if (pair_of(before[i]) != pair_of(contact)) break;
+      if (before[i].feature != contact.feature) continue;
+      contact.impulse = before[i].impulse;
+      break;
+    }
+  }
+}
+
+}  // namespace timestep::inline TIMESTEP_PRECISION

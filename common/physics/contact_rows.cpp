@@ -1,0 +1,235 @@
+#include "common/physics/contact_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/physics/impulse.hpp"
+
+namespace timestep::inline TIMESTEP_PRECISION {
+namespace {
+
+SolverBody solver_body(const RigidBody& body, const Vec3& gravity) {
+  SolverBody s{.velocity = body.velocity,
+               .angular_velocity = body.angular_velocity,
+               .inverse_mass = body.inverse_mass,
+               .inverse_inertia = world_inverse_inertia(body)};
+  if (body.inverse_mass > 0)
+    s.acceleration = gravity + newton(body.force, body.inverse_mass);
+  s.angular_acceleration = s.inverse_inertia * body.torque;
+  return s;
+}
+
+// (6.2) Inverse effective masses [1/kg] along the normal, and the largest along the
+// surface: an eigenvalue of the part of K there
+struct InverseMasses {
+  Real normal, tangent;
+};
+
+InverseMasses inverse_masses(const ContactRow& row, const Mat3& basis,
+                             const SolverBody& a, const SolverBody& b) {
+  Mat3 k(0);
+  for (const auto& [body, arm] :
+       {std::pair(&a, &row.arm_a), std::pair(&b, &row.arm_b)}) {
+    Mat3 across, turned;
+    for (glm::length_t i = 0; i < 3; ++i) {
+      across[i] = glm::cross(*arm, basis[i]);
+      turned[i] = body->inverse_inertia * across[i];
+    }
+    k[0][0] += body->inverse_mass + glm::dot(across[0], turned[0]);
+    k[1][1] += body->inverse_mass + glm::dot(across[1], turned[1]);
+    k[2][2] += body->inverse_mass + glm::dot(across[2], turned[2]);
+    k[1][2] += glm::dot(across[1], turned[2]);
+  }
+  const Real middle = (k[1][1] + k[2][2]) / 2, half = (k[1][1] - k[2][2]) / 2;
+  return {k[0][0], middle + std::sqrt(half * half + k[1][2] * k[1][2])};
+}
+
+// A body's velocities, and what they answer to impulses
+struct Motion {
+  Vec3 velocity, angular_velocity;
+};
+
+Motion motion_of(const SolverBody& body) {
+  return {body.velocity, body.angular_velocity};
+}
+
+void set_motion(SolverBody& body, const Motion& motion) {
+  body.velocity = motion.velocity;
+  body.angular_velocity = motion.angular_velocity;
+}
+
+// (6.8)
+void apply(const SolverBody& body, const Vec3& arm, const Vec3& impulse,
+           Motion& motion) {
+  motion.velocity += body.inverse_mass * impulse;
+  motion.angular_velocity += body.inverse_inertia * glm::cross(arm, impulse);
+}
+
+// (6.5)
+Vec3 limited_friction(const ContactRow& row, const Vec3& wanted, bool use_pyramid) {
+  if (use_pyramid)
+    return in_pyramid(wanted, row.friction, row.normal_impulse,
+                      contact_basis(row.normal));
+  const Real most = row.friction * row.normal_impulse;
+  const Real squared = glm::dot(wanted, wanted);
+  return squared > most * most ? most / std::sqrt(squared) * wanted : wanted;
+}
+
+// (6.11) What the row asks for now, and what it has been given so far
+void resolve(ContactRow& row, const SolverBody& a, const SolverBody& b, Motion& of_a,
+             Motion& of_b, bool use_pyramid) {
+  // (6.1)
+  const Vec3 v = of_b.velocity + glm::cross(of_b.angular_velocity, row.arm_b)
+                 - of_a.velocity - glm::cross(of_a.angular_velocity, row.arm_a);
+  const Real v_n = glm::dot(v, row.normal);
+
+  // (6.12) Along the normal
+  const Real before = row.normal_impulse;
+  const Real wanted = before
+                      - row.soft.mass_scale * row.normal_mass * (v_n - row.target)
+                      - row.soft.impulse_scale * before;
+  row.normal_impulse = std::max(wanted, Real(0));
+
+  // (6.5) Along the surface
+  const Vec3 friction_before = row.tangent_impulse;
+  const Vec3 slip = v - v_n * row.normal;
+  row.tangent_impulse =
+      limited_friction(row, friction_before - row.tangent_mass * slip, use_pyramid);
+
+  const Vec3 impulse = (row.normal_impulse - before) * row.normal
+                       + (row.tangent_impulse - friction_before);
+  apply(a, row.arm_a, -impulse, of_a);
+  apply(b, row.arm_b, impulse, of_b);
+}
+
+// Calls `change` for each row with its bodies and their motions, which stay at hand
+// while rows are about the same pair
+void for_each_row(SolverRoom& room, const auto& change) {
+  std::vector<ContactRow>& rows = room.rows;
+  for (std::size_t i = 0; i < rows.size();) {
+    const std::uint32_t first = rows[i].a, second = rows[i].b;
+    SolverBody &a = room.bodies[first], &b = room.bodies[second];
+    Motion of_a = motion_of(a), of_b = motion_of(b);
+    for (; i < rows.size() && rows[i].a == first && rows[i].b == second; ++i)
+      change(rows[i], a, b, of_a, of_b);
+    set_motion(a, of_a);
+    set_motion(b, of_b);
+  }
+}
+
+// (6.16) Turns a body, and changes its angular velocity so that the angular momentum
+// stays: to second order, by the acceleration that this means at the start
+void turn(RigidBody& body, const Vec3& angle, const Vec3& omega, Real dt) {
+  const Vec3& k = body.inverse_inertia;
+  const bool is_held = k.x == 0 || k.y == 0 || k.z == 0;
+  if (is_held || (k.x == k.y && k.y == k.z)) {
+    body.angular_velocity = omega;
+    body.orientation = glm::normalize(rotation_by(angle) * body.orientation);
+    return;
+  }
+  const Vec3 w = turned_by(glm::conjugate(body.orientation), omega);
+  const Vec3 momentum = w / k;
+  const Vec3 gyroscopic = k * glm::cross(momentum, w);
+  const Vec3 L = turned_by(body.orientation, momentum);
+  const Vec3 further = turned_by(body.orientation, dt * dt / 2 * gyroscopic);
+  body.orientation = glm::normalize(rotation_by(angle + further) * body.orientation);
+  body.angular_velocity =
+      turned_by(body.orientation, k * turned_by(glm::conjugate(body.orientation), L));
+}
+
+}  // namespace
+
+void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> contacts,
+             const SolverSettings& settings, SolverRoom& room) {
+  room.bodies.clear();
+  for (const RigidBody& body : bodies)
+    room.bodies.push_back(solver_body(body, settings.gravity));
+
+  room.rows.clear();
+  Mat3 basis(0);
+  for (const PointContact& c : contacts) {
+    if (c.normal != basis[0]) basis = contact_basis(c.normal);
+    ContactRow row{.a = c.a,
+                   .b = c.b,
+                   .normal = c.normal,
+                   .arm_a = c.position - c.across / Real(2) - bodies[c.a].position,
+                   .arm_b = c.position + c.across / Real(2) - bodies[c.b].position,
+                   .friction = c.friction,
+                   .gap = -c.depth,
+                   .restitution = c.restitution};
+    const InverseMasses k =
+        inverse_masses(row, basis, room.bodies[c.a], room.bodies[c.b]);
+    row.normal_mass = 1 / k.normal;
+    row.tangent_mass = 1 / k.tangent;
+    row.normal_impulse = std::max(glm::dot(c.impulse, c.normal), Real(0));
+    row.tangent_impulse = c.impulse - glm::dot(c.impulse, c.normal) * c.normal;
+    room.rows.push_back(row);
+  }
+}
+
+void accelerate(std::span<SolverBody> bodies, Real h) {
+  for (SolverBody& body : bodies) {
+    body.velocity += h * body.acceleration;
+    body.angular_velocity += h * body.angular_acceleration;
+    body.free_velocity = body.velocity;
+    body.free_angular_velocity = body.angular_velocity;
+  }
+}
+
+void accelerate_again(std::span<SolverBody> bodies, Real h) {
+  for (SolverBody& body : bodies) {
+    const Vec3 pushed = body.velocity - body.free_velocity;
+    const Vec3 spun = body.angular_velocity - body.free_angular_velocity;
+    body.free_velocity = body.velocity + h * body.acceleration;
+    body.free_angular_velocity = body.angular_velocity + h * body.angular_acceleration;
+    body.velocity = body.free_velocity + pushed;
+    body.angular_velocity = body.free_angular_velocity + spun;
+  }
+}
+
+void warm_start(SolverRoom& room) {
+  for_each_row(room, [](const ContactRow& row, const SolverBody& a, const SolverBody& b,
+                        Motion& of_a, Motion& of_b) {
+    apply(a, row.arm_a, -impulse_of(row), of_a);
+    apply(b, row.arm_b, impulse_of(row), of_b);
+  });
+}
+
+void sweep(SolverRoom& room, bool use_pyramid) {
+  for_each_row(
+      room, [&](ContactRow& row, const SolverBody& a, const SolverBody& b, Motion& of_a,
+                Motion& of_b) { resolve(row, a, b, of_a, of_b, use_pyramid); });
+}
+
+void move(std::span<SolverBody> bodies, Real half_h) {
+  for (SolverBody& body : bodies) {
+    body.moved += half_h * body.velocity;
+    body.turned += half_h * body.angular_velocity;
+  }
+}
+
+void move_bodies(std::span<RigidBody> bodies, Real dt) {
+  for (RigidBody& body : bodies) {
+    body.position += dt * body.velocity;
+    turn(body, dt * body.angular_velocity, body.angular_velocity, dt);
+    body.force = body.torque = Vec3(0);
+  }
+}
+
+void finish(const SolverRoom& room, Real dt, std::span<RigidBody> bodies,
+            std::span<PointContact> contacts) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const SolverBody& solved = room.bodies[i];
+    RigidBody& body = bodies[i];
+    body.position += solved.moved;
+    body.velocity = solved.velocity;
+    body.force = body.torque = Vec3(0);
+    turn(body, solved.turned, solved.angular_velocity, dt);
+  }
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    contacts[i].impulse = room.rows[i].phase == ContactPhase::bouncing
+                              ? Vec3(0)
+                              : impulse_of(room.rows[i]);
+}
+
+}  // namespace timestep::inline TIMESTEP_PRECISION

@@ -1,0 +1,117 @@
+/// @file
+/// Contacts and bodies as the solvers see them: what does not change while they
+/// iterate, close together in memory. Source: chapter 6; E. Catto, Iterative dynamics
+/// with temporal coherence, GDC 2005, and Solver2D, 2024.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/physics/contact.hpp"
+#include "common/physics/soft_contact.hpp"
+
+namespace timestep::inline TIMESTEP_PRECISION {
+
+/// How velocities and positions of a world are computed. Metres, kilograms, seconds.
+struct SolverSettings {
+  Vec3 gravity{0, Real(-9.81), 0};     ///< [m/s²]
+  int substeps = 4;                    ///< of `substeps`, in a step
+  int iterations = 10;                 ///< sweeps of `sequential_impulses`
+  int impact_iterations = 16;          ///< sweeps more, where something bounces
+  int impact_rounds = 8;               ///< of bounces that lead to others, at most
+  int contacts_at_most = 1000;         ///< that `worst_first` resolves in a step
+  Real velocity_epsilon = Real(1e-4);  ///< [m/s] `worst_first` leaves less than this
+  Real contact_frequency = Real(0.2);  ///< of soft contacts, per frequency of substeps
+  Real damping_ratio = 5;              ///< of soft contacts: 1 is critical
+  Real push_speed = 3;                 ///< [m/s] at most, out of a penetration
+  Real restitution_threshold = 0;      ///< [m/s] slower impacts do not bounce
+  bool use_pyramid = false;            ///< friction in a square, not in a circle
+};
+
+/// A body while a step is solved.
+struct SolverBody {
+  Vec3 velocity, angular_velocity;
+  Real inverse_mass;
+  Mat3 inverse_inertia;  ///< world, at the start of the step
+  Vec3 moved{0};         ///< [m] since the start of the step
+  Vec3 turned{0};        ///< [rad] since the start of the step, small
+  Vec3 acceleration{0}, angular_acceleration{0};    ///< by forces and gravity
+  Vec3 free_velocity{0}, free_angular_velocity{0};  ///< without this substep's impulses
+};
+
+/// What a contact does within a substep.
+enum class ContactPhase {
+  apart,     ///< may close if others push: it must not get any deeper than the gap
+  lasting,   ///< touches from the start
+  landing,   ///< closes within it, and stays
+  bouncing,  ///< closes within it, and parts again
+};
+
+/// A contact while a step is solved.
+struct ContactRow {
+  std::uint32_t a, b;
+  Vec3 normal, arm_a, arm_b;  ///< [m] from the centres of mass to the point
+  Real normal_mass = 0;       ///< [kg] effective, along the normal
+  Real tangent_mass = 0;      ///< [kg] the least along the surface
+  Real friction;
+  Real target = 0;  ///< [m/s] parting speed that is asked for
+  SoftCoefficients soft{};
+  Real normal_impulse = 0;  ///< [N s] accumulated
+  Vec3 tangent_impulse{0};
+  Real gap;  ///< [m] at the start of the step
+  Real restitution;
+  Real time = 0;  ///< [s] in the substep when its impulse acts
+  ContactPhase phase = ContactPhase::lasting;
+};
+
+/// (6.1) Velocity [m/s] of B's point less that of A's.
+inline Vec3 velocity_between(const ContactRow& row, const SolverBody& a,
+                             const SolverBody& b) {
+  return b.velocity + glm::cross(b.angular_velocity, row.arm_b) - a.velocity
+         - glm::cross(a.angular_velocity, row.arm_a);
+}
+
+/// What a row has been given so far [N s], on B.
+inline Vec3 impulse_of(const ContactRow& row) {
+  return row.normal_impulse * row.normal + row.tangent_impulse;
+}
+
+/// Room for a step, kept between steps.
+struct SolverRoom {
+  std::vector<SolverBody> bodies;
+  std::vector<ContactRow> rows;
+  std::vector<Real> closing;  ///< [m/s] of each contact: for `worst_first`
+};
+
+/// Bodies and rows of a step, from where things are now.
+void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> contacts,
+             const SolverSettings& settings, SolverRoom& room);
+
+/// Forces and gravity for h [s].
+void accelerate(std::span<SolverBody> bodies, Real h);
+
+/// (6.11) All rows start from the impulses that they had.
+void warm_start(SolverRoom& room);
+
+/// (6.11) Both in a substep after another one with the same impulses, which then do to
+/// each body what they did in that.
+void accelerate_again(std::span<SolverBody> bodies, Real h);
+
+/// (6.11) One sweep: each row in turn asks for what its accumulated impulse lacks.
+/// Normal impulses never pull; friction stays in its cone.
+void sweep(SolverRoom& room, bool use_pyramid);
+
+/// Half a substep's way at the present velocities.
+void move(std::span<SolverBody> bodies, Real half_h);
+
+/// Moves and turns bodies at their velocities for dt [s]. Their angular momentum stays:
+/// what gyroscopic torque does is done here, to second order.
+void move_bodies(std::span<RigidBody> bodies, Real dt);
+
+/// Moves the bodies themselves, keeping the angular momentum that the rows gave them,
+/// and gives the contacts their impulses.
+void finish(const SolverRoom& room, Real dt, std::span<RigidBody> bodies,
+            std::span<PointContact> contacts);
+
+}  // namespace timestep::inline TIMESTEP_PRECISION
