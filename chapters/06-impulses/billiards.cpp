@@ -40,7 +40,7 @@ class Billiards : public WorldRun {
 };
 
 Billiards::Billiards(const Setup& setup)
-    : WorldRun(setup, {.lanes_apart = {0, 0, -2.0F}, .rings = true}) {
+    : WorldRun(setup, {.lanes_apart = {0, 0, -2.0F}}) {
   add_table();
   cue_ = add_ball("cue ball", {-k_length / 4, parameter("aside")}, k_paper);
   body_of(world(), cue_).velocity.x = Real(parameter("speed"));
@@ -133,14 +133,14 @@ Scene billiards_scene() {
       .default_methods = {"substeps"},
       .parameters = with_settings(
           {{"rows", "", "of the rack: 5 are fifteen balls", 5, 1, 20, true},
-           {"gap", "m", "between the balls of the rack", 0, 0, 0.01},
+           {"gap", "m", "between the balls of the rack", 2e-4, 0, 0.01},
            {"speed", "m/s", "of the cue ball", 5, 0.01, 100},
            {"aside", "m", "of the cue ball, off the rack's middle", 0, -0.5, 0.5},
            {"friction", "", "of balls, cloth and cushions", 0.2, 0, 100},
            {"restitution", "", "of the balls, and at the cushions", 0.95, 0, 1}}),
       .dt = 1.0 / 240,
       .duration = 2,
-      .camera = {.target = {0, 0, 0}, .distance = 3.6F, .yaw = 0, .pitch = 0.95F},
+      .camera = {.target = {0, 0, 0}, .distance = 2.4F, .yaw = 0, .pitch = 1.1F},
       .chart_metric = "asymmetry",
       .chart_logarithmic = true,
       .start = [](const Setup& setup) { return std::make_unique<Billiards>(setup); },

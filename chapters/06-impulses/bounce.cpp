@@ -106,7 +106,7 @@ void Bounce::draw_reference(DrawList& list) const {
     list.markers.push_back(
         {.position = at(ball, now), .style = reference_style(), .size = 16});
     list.labels.push_back(
-        {at(ball, -1.6 * radius_), fmt::format("e = {:.2g}", ball.exact.e), k_ink});
+        {at(ball, -1.4 * radius_), fmt::format("e = {:.2g}", ball.exact.e), k_ink});
   }
   list.lines.push_back({.points = starts, .color = k_muted, .dash = Dash::dotted});
   list.lines.push_back({.points = rebounds, .color = k_muted, .dash = Dash::dashed});
@@ -129,7 +129,7 @@ Scene bounce_scene() {
            {"radius", "m", "of the balls", 0.1, 1e-6, 1e6}}),
       .dt = 1.0 / 60,
       .duration = 2,
-      .camera = {.target = {0, 0.52F, 0}, .distance = 2.3F, .yaw = 0, .pitch = 0.08F},
+      .camera = {.target = {0, 0.55F, 0}, .distance = 1.75F, .yaw = 0, .pitch = 0.08F},
       .chart_metric = "height_error",
       .start = [](const Setup& setup) { return std::make_unique<Bounce>(setup); },
   };

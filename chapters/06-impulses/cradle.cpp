@@ -46,7 +46,7 @@ class Cradle : public WorldRun {
   double energy_ = 0, energy_error_ = 0;
 };
 
-Cradle::Cradle(const Setup& setup) : WorldRun(setup, {.lanes_apart = {0, -1.0F, 0}}) {
+Cradle::Cradle(const Setup& setup) : WorldRun(setup, {.lanes_apart = {0, -1.8F, 0}}) {
   const auto count = static_cast<std::size_t>(parameter("balls"));
   const auto lifted = std::min(static_cast<std::size_t>(parameter("lifted")), count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -147,19 +147,19 @@ Scene cradle_scene() {
       .name = "cradle",
       .summary = "a row of balls that touch: one swings in, who swings out?",
       .methods = all_choices(),
-      .default_methods = {"substeps"},
+      .default_methods = {"substeps", "worst_first"},
       .parameters = with_settings(
           {{"balls", "", "in the row", 5, 2, 50, true},
            {"lifted", "", "of those, at the left", 1, 1, 49, true},
            {"lift", "m", "how far those are pulled aside", 0.5, 1e-3, 1e3},
-           {"gap", "m", "between balls at rest", 0, 0, 1},
+           {"gap", "m", "between balls at rest", 1e-5, 0, 1},
            {"restitution", "", "of the balls", 1, 0, 1},
            {"period", "s", "of a swing", 2, 1e-3, 1e3}},
           0),
       .dt = 1.0 / 60,
       .duration = 3,
       .camera = {.target = {0.5F, 0.55F, 0},
-                 .distance = 3.2F,
+                 .distance = 2.4F,
                  .yaw = 0,
                  .pitch = 0.06F},
       .chart_metric = "momentum",

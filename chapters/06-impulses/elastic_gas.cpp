@@ -21,7 +21,8 @@ constexpr double k_side = 2, k_mass = 1, k_speed = 1;  // [m], [kg], [m/s]
 // The picture of the speeds stands beside the box: so many bars, up to so fast
 constexpr std::size_t k_bars = 12;
 constexpr double k_fastest = 2.4;  // [m/s]
-constexpr float k_graph_width = 2, k_graph_height = 1.6F;
+constexpr double k_densest = 1.5;  // [s/m] that the graph shows
+constexpr float k_graph_width = 2, k_graph_height = 2;
 
 class ElasticGas : public WorldRun {
  public:
@@ -126,7 +127,7 @@ std::vector<Metric> ElasticGas::own_metrics() const {
 // Where a share of balls per m/s stands in the graph
 glm::vec3 in_graph(double speed, double density) {
   return {1.4F + k_graph_width * static_cast<float>(speed / k_fastest),
-          -1 + k_graph_height * static_cast<float>(density) / 1.2F, 0};
+          -1 + k_graph_height * static_cast<float>(density / k_densest), 0};
 }
 
 void ElasticGas::draw(DrawList& list) const {
@@ -138,7 +139,8 @@ void ElasticGas::draw(DrawList& list) const {
         1 / (width * static_cast<double>(count_));
   for (std::size_t i = 0; i < k_bars; ++i) {
     const glm::vec3 low = in_graph(static_cast<double>(i) * width, 0);
-    const glm::vec3 high = in_graph((static_cast<double>(i) + 0.9) * width, bars[i]);
+    const glm::vec3 high =
+        in_graph((static_cast<double>(i) + 0.9) * width, std::min(bars[i], k_densest));
     glm::mat4 bar(1);
     bar[0].x = (high.x - low.x) / 2;
     bar[1].y = std::max(high.y - low.y, 0.002F) / 2;
@@ -174,7 +176,7 @@ void ElasticGas::draw_reference(DrawList& list) const {
   list.lines.push_back({.points = curve, .color = k_ink, .width = 3});
   list.lines.push_back(
       {.points = {in_graph(0, 0), in_graph(k_fastest, 0)}, .color = k_ink, .width = 2});
-  list.labels.push_back({in_graph(0.5 * k_fastest, -0.12), "speed", k_ink});
+  list.labels.push_back({in_graph(0.3 * k_fastest, -0.14), "speed", k_ink});
   list.legend.push_back({reference_style(), "Maxwell"});
   list.ground_height.reset();
 }
@@ -196,9 +198,9 @@ Scene elastic_gas_scene() {
           0),
       .dt = 0.001,
       .duration = 6,
-      .camera = {.target = {1.0F, 0, 0},
-                 .distance = 6.2F,
-                 .yaw = 0.25F,
+      .camera = {.target = {1.15F, -0.05F, 0},
+                 .distance = 4.4F,
+                 .yaw = 0.2F,
                  .pitch = 0.15F},
       .chart_metric = "energy_error",
       .start = [](const Setup& setup) { return std::make_unique<ElasticGas>(setup); },
