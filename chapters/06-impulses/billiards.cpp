@@ -40,7 +40,7 @@ class Billiards : public WorldRun {
 };
 
 Billiards::Billiards(const Setup& setup)
-    : WorldRun(setup, {.lanes_apart = {0, 0, -2.0F}}) {
+    : WorldRun(setup, {.lanes_apart = {0, 0, -2.0F}, .trails = true}) {
   add_table();
   cue_ = add_ball("cue ball", {-k_length / 4, parameter("aside")}, k_paper);
   body_of(world(), cue_).velocity.x = Real(parameter("speed"));
