@@ -89,9 +89,11 @@ void find_contacts(std::span<const RigidBody> bodies,
                    std::span<const Collider> colliders, Real margin, Real acceleration,
                    Real dt, ContactSearch& search, std::vector<PointContact>& contacts);
 
-/// Gives each contact the impulse that the same one had before: the same colliders and
-/// the same feature. Both lists are in the order of the pairs.
-void carry_impulses(std::span<const PointContact> before,
+/// Gives each contact the impulse that the same one had before: of the same colliders,
+/// the same feature. One whose feature is new, as where corners lie on each other and
+/// change places, has that of the nearest that is left, no further than `reach` [m].
+/// Both lists are in the order of the pairs.
+void carry_impulses(std::span<const PointContact> before, Real reach,
                     std::span<PointContact> contacts);
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

@@ -117,24 +117,47 @@ void for_each_row(SolverRoom& room, const auto& change) {
   }
 }
 
+// (6.2)
+void set_masses(ContactRow& row, const Mat3& basis, const SolverRoom& room) {
+  const InverseMasses k =
+      inverse_masses(row, basis, room.bodies[row.a], room.bodies[row.b]);
+  row.normal_mass = 1 / k.normal;
+  row.tangent_mass = 1 / k.tangent;
+}
+
+// Nothing changes its inertia: it is the same about all axes, or nothing turns it
+bool is_alike(const Vec3& k) {
+  return k.x == 0 || k.y == 0 || k.z == 0 || (k.x == k.y && k.y == k.z);
+}
+
 // (6.16) Turns a body, and changes its angular velocity so that the angular momentum
 // stays: to second order, by the acceleration that this means at the start
-void turn(RigidBody& body, const Vec3& angle, const Vec3& omega, Real dt) {
-  const Vec3& k = body.inverse_inertia;
-  const bool is_held = k.x == 0 || k.y == 0 || k.z == 0;
-  if (is_held || (k.x == k.y && k.y == k.z)) {
-    body.angular_velocity = omega;
-    body.orientation = glm::normalize(rotation_by(angle) * body.orientation);
+void turn(const Vec3& k, const Vec3& angle, Real dt, Quat& orientation, Vec3& omega) {
+  if (is_alike(k)) {
+    orientation = glm::normalize(rotation_by(angle) * orientation);
     return;
   }
-  const Vec3 w = turned_by(glm::conjugate(body.orientation), omega);
+  const Vec3 w = turned_by(glm::conjugate(orientation), omega);
   const Vec3 momentum = w / k;
   const Vec3 gyroscopic = k * glm::cross(momentum, w);
-  const Vec3 L = turned_by(body.orientation, momentum);
-  const Vec3 further = turned_by(body.orientation, dt * dt / 2 * gyroscopic);
-  body.orientation = glm::normalize(rotation_by(angle + further) * body.orientation);
-  body.angular_velocity =
-      turned_by(body.orientation, k * turned_by(glm::conjugate(body.orientation), L));
+  const Vec3 L = turned_by(orientation, momentum);
+  const Vec3 further = turned_by(orientation, dt * dt / 2 * gyroscopic);
+  orientation = glm::normalize(rotation_by(angle + further) * orientation);
+  omega = turned_by(orientation, k * turned_by(glm::conjugate(orientation), L));
+}
+
+// The same from one attitude to the next
+void turn_ahead(SolverBody& body, Attitude& attitude, Real ahead, Real time) {
+  if (is_alike(attitude.inverse_inertia) || time <= attitude.time) return;
+  const Vec3 angle = body.turned + ahead * body.angular_velocity - attitude.turned;
+  const Vec3 before = body.angular_velocity;
+  turn(attitude.inverse_inertia, angle, time - attitude.time, attitude.orientation,
+       body.angular_velocity);
+  body.free_angular_velocity += body.angular_velocity - before;
+  body.inverse_inertia = world_inverse_inertia(
+      {.orientation = attitude.orientation, .inverse_inertia = attitude.inverse_inertia});
+  attitude.turned = body.turned + ahead * body.angular_velocity;
+  attitude.time = time;
 }
 
 }  // namespace
@@ -142,8 +165,12 @@ void turn(RigidBody& body, const Vec3& angle, const Vec3& omega, Real dt) {
 void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> contacts,
              const SolverSettings& settings, SolverRoom& room) {
   room.bodies.clear();
-  for (const RigidBody& body : bodies)
+  room.attitudes.clear();
+  room.time = 0;
+  for (const RigidBody& body : bodies) {
     room.bodies.push_back(solver_body(body, settings.gravity));
+    room.attitudes.push_back({body.orientation, body.inverse_inertia});
+  }
 
   room.rows.clear();
   Mat3 basis(0);
@@ -157,14 +184,17 @@ void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> co
                    .friction = c.friction,
                    .gap = -c.depth,
                    .restitution = c.restitution};
-    const InverseMasses k =
-        inverse_masses(row, basis, room.bodies[c.a], room.bodies[c.b]);
-    row.normal_mass = 1 / k.normal;
-    row.tangent_mass = 1 / k.tangent;
+    set_masses(row, basis, room);
     row.normal_impulse = std::max(glm::dot(c.impulse, c.normal), Real(0));
     row.tangent_impulse = c.impulse - glm::dot(c.impulse, c.normal) * c.normal;
     room.rows.push_back(row);
   }
+}
+
+void turn_ahead(SolverRoom& room, ContactRow& row, Real ahead, Real time) {
+  for (const std::uint32_t body : {row.a, row.b})
+    turn_ahead(room.bodies[body], room.attitudes[body], ahead, time);
+  set_masses(row, contact_basis(row.normal), room);
 }
 
 void accelerate(std::span<SolverBody> bodies, Real h) {
@@ -211,7 +241,8 @@ void move(std::span<SolverBody> bodies, Real half_h) {
 void move_bodies(std::span<RigidBody> bodies, Real dt) {
   for (RigidBody& body : bodies) {
     body.position += dt * body.velocity;
-    turn(body, dt * body.angular_velocity, body.angular_velocity, dt);
+    turn(body.inverse_inertia, dt * body.angular_velocity, dt, body.orientation,
+         body.angular_velocity);
     body.force = body.torque = Vec3(0);
   }
 }
@@ -224,7 +255,12 @@ void finish(const SolverRoom& room, Real dt, std::span<RigidBody> bodies,
     body.position += solved.moved;
     body.velocity = solved.velocity;
     body.force = body.torque = Vec3(0);
-    turn(body, solved.turned, solved.angular_velocity, dt);
+
+    const Attitude& attitude = room.attitudes[i];
+    body.orientation = attitude.orientation;
+    body.angular_velocity = solved.angular_velocity;
+    turn(body.inverse_inertia, solved.turned - attitude.turned, dt - attitude.time,
+         body.orientation, body.angular_velocity);
   }
   for (std::size_t i = 0; i < contacts.size(); ++i)
     contacts[i].impulse = room.rows[i].phase == ContactPhase::bouncing

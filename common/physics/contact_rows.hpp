@@ -77,9 +77,19 @@ inline Vec3 impulse_of(const ContactRow& row) {
   return row.normal_impulse * row.normal + row.tangent_impulse;
 }
 
+/// How a body stood when the inertia that it is solved with was last looked up.
+struct Attitude {
+  Quat orientation;      ///< world from body
+  Vec3 inverse_inertia;  ///< [1/(kg m²)] of the principal moments, body frame
+  Vec3 turned{0};        ///< [rad] `turned` of the solver's body then
+  Real time = 0;         ///< [s] since the start of the step
+};
+
 /// Room for a step, kept between steps.
 struct SolverRoom {
   std::vector<SolverBody> bodies;
+  std::vector<Attitude> attitudes;  ///< of the bodies
+  Real time = 0;                    ///< [s] since the start of the step
   std::vector<ContactRow> rows;
   std::vector<Real> closing;  ///< [m/s] of each contact: for `worst_first`
 };
@@ -87,6 +97,11 @@ struct SolverRoom {
 /// Bodies and rows of a step, from where things are now.
 void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> contacts,
              const SolverSettings& settings, SolverRoom& room);
+
+/// Looks up the inertia of a row's bodies anew, for where they will be `ahead` [s] from
+/// where they have turned to, at `time` [s] since the start of the step. Their angular
+/// momentum stays. So an impact in the middle of a step keeps the energy.
+void turn_ahead(SolverRoom& room, ContactRow& row, Real ahead, Real time);
 
 /// Forces and gravity for h [s].
 void accelerate(std::span<SolverBody> bodies, Real h);

@@ -144,7 +144,7 @@ void step(World& world, Real dt) {
   const Real falling = glm::length(world.settings.gravity);
   find_contacts(world.bodies, world.colliders, world.margin, falling, dt, world.search,
                 world.contacts);
-  carry_impulses(world.contacts_before, world.contacts);
+  carry_impulses(world.contacts_before, world.margin, world.contacts);
 
   // New velocities that the contacts allow, and new positions with them
   world.solver->advance({.bodies = world.bodies,
