@@ -16,6 +16,10 @@ bool holds(const Simplex& simplex, const Vec3& w) {
   return false;
 }
 
+bool has_all_four(const ClosestPoint& closest) {
+  return std::ranges::all_of(closest.weights, [](Real w) { return w > 0; });
+}
+
 void finish(Gjk& gjk, Reason reason) {
   gjk.reason = reason;
   gjk.done = true;
@@ -60,15 +64,20 @@ void gjk_step(const MinkowskiDifference& difference, Gjk& gjk) {
   const Reason at_rest = gap <= k_rounding ? Reason::converged : Reason::no_progress;
   const bool is_tight = gap <= k_rounding / 16 && is_along_v;
   if (is_tight || holds(gjk.simplex, next.w)) return finish(gjk, at_rest);
-  Simplex larger = gjk.simplex;
-  larger.vertices[std::size_t(larger.size++)] = next;
-  Vec3 v = reduce_to_closest(larger);
-  if (larger.size == 4 && gjk.lower > k_rounding) v = reduce_to_closest_face(larger);
-  const Real closer = glm::length(v);
-  if (!(closer < upper || (rises && closer <= upper + k_rounding / 16)))
+
+  // The larger simplex's closest point, if that is closer
+  Simplex& simplex = gjk.simplex;
+  simplex.vertices[std::size_t(simplex.size++)] = next;
+  ClosestPoint closest = closest_to_origin(simplex);
+  if (has_all_four(closest) && gjk.lower > k_rounding)
+    closest = closest_on_face(simplex);
+  const Real closer = glm::length(closest.point);
+  if (!(closer < upper || (rises && closer <= upper + k_rounding / 16))) {
+    --simplex.size;
     return finish(gjk, at_rest);
-  gjk.simplex = larger;
-  gjk.v = v;
+  }
+  keep(simplex, closest);
+  gjk.v = closest.point;
   if (cores_meet(gjk)) return finish(gjk, Reason::converged);
   if (gjk.iterations >= k_gjk_limit) finish(gjk, Reason::iteration_limit);
 }

@@ -38,7 +38,9 @@ Vec3 difference_at(const MinkowskiDifference& difference, const Vec3& a,
 SupportPoint support(const MinkowskiDifference& difference, const Vec3& direction,
                      const SupportPoint& near) {
   const MinkowskiDifference& d = difference;
-  SupportPoint p = near;
+  SupportPoint p;
+  p.vertex_a = near.vertex_a;
+  p.vertex_b = near.vertex_b;
   p.a = d.a.core_support(d.a.shape, direction, p.vertex_a);
   p.b = d.b.core_support(d.b.shape, -direction * d.a_from_b, p.vertex_b);
   p.w = difference_at(d, p.a, p.b);
