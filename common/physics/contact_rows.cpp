@@ -149,21 +149,21 @@ void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> co
   Mat3 basis(0);
   for (const PointContact& c : contacts) {
     if (c.normal != basis[0]) basis = contact_basis(c.normal);
-    ContactRow row{.a = c.a,
-                   .b = c.b,
-                   .normal = c.normal,
-                   .arm_a = c.position - c.across / Real(2) - bodies[c.a].position,
-                   .arm_b = c.position + c.across / Real(2) - bodies[c.b].position,
-                   .friction = c.friction,
-                   .gap = -c.depth,
-                   .restitution = c.restitution};
+    ContactRow& row = room.rows.emplace_back();
+    row.a = c.a;
+    row.b = c.b;
+    row.normal = c.normal;
+    row.arm_a = c.position - c.across / Real(2) - bodies[c.a].position;
+    row.arm_b = c.position + c.across / Real(2) - bodies[c.b].position;
+    row.friction = c.friction;
+    row.gap = -c.depth;
+    row.restitution = c.restitution;
     const InverseMasses k =
         inverse_masses(row, basis, room.bodies[c.a], room.bodies[c.b]);
     row.normal_mass = 1 / k.normal;
     row.tangent_mass = 1 / k.tangent;
     row.normal_impulse = std::max(glm::dot(c.impulse, c.normal), Real(0));
     row.tangent_impulse = c.impulse - glm::dot(c.impulse, c.normal) * c.normal;
-    room.rows.push_back(row);
   }
 }
 

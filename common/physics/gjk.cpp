@@ -50,8 +50,10 @@ void gjk_step(const MinkowskiDifference& difference, Gjk& gjk) {
   // No point of the difference is nearer than the plane through the support point
   const Real upper = glm::length(gjk.v);
   const Vec3 normal = direction_to(gjk.v, upper);
-  const SupportPoint& near = gjk.simplex.vertices[std::size_t(gjk.simplex.size - 1)];
-  const SupportPoint next = support(difference, normal, near);
+  Simplex& simplex = gjk.simplex;
+  SupportPoint* const end = &simplex.vertices[std::size_t(simplex.size)];
+  SupportPoint& next = *end;
+  find_support(difference, normal, *(end - 1), next);
   ++gjk.iterations;
   const Real lower = glm::dot(normal, next.w);
   const bool rises = lower > gjk.lower, is_along_v = lower > gjk.lower - k_rounding;
@@ -63,11 +65,10 @@ void gjk_step(const MinkowskiDifference& difference, Gjk& gjk) {
   const Real gap = upper - gjk.lower;
   const Reason at_rest = gap <= k_rounding ? Reason::converged : Reason::no_progress;
   const bool is_tight = gap <= k_rounding / 16 && is_along_v;
-  if (is_tight || holds(gjk.simplex, next.w)) return finish(gjk, at_rest);
+  if (is_tight || holds(simplex, next.w)) return finish(gjk, at_rest);
 
   // The larger simplex's closest point, if that is closer
-  Simplex& simplex = gjk.simplex;
-  simplex.vertices[std::size_t(simplex.size++)] = next;
+  ++simplex.size;
   ClosestPoint closest = closest_to_origin(simplex);
   if (has_all_four(closest) && gjk.lower > k_rounding)
     closest = closest_on_face(simplex);
