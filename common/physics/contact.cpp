@@ -152,8 +152,8 @@ Real meeting_time(const Mover& a, const Mover& b, Real margin, Real dt) {
 
 // A point of a manifold, which may be that of a time within the step: the arms are as
 // they will be, the gap is what closes until then
-PointContact contact_at(const Mover& a, const Mover& b, const Manifold& manifold,
-                        const ContactPoint& point, Real time) {
+void set_contact(const Mover& a, const Mover& b, const Manifold& manifold,
+                 const ContactPoint& point, Real time, PointContact& contact) {
   const Vec3 moved_a = time * a.body.velocity, moved_b = time * b.body.velocity;
   const Vec3 start_a = on_a(manifold, point) - moved_a;
   const Vec3 start_b = on_b(manifold, point) - moved_b;
@@ -162,18 +162,19 @@ PointContact contact_at(const Mover& a, const Mover& b, const Manifold& manifold
       * (glm::cross(b.body.angular_velocity, start_b - b.body.position)
          - glm::cross(a.body.angular_velocity, start_a - a.body.position));
   const Real closed = glm::dot(manifold.normal, moved_b - moved_a + turned);
-  PointContact contact{.a = a.collider.body,
-                       .b = b.collider.body,
-                       .collider_a = a.collider.id,
-                       .collider_b = b.collider.id,
-                       .feature = point.feature,
-                       .position = (start_a + start_b) / Real(2),
-                       .normal = manifold.normal,
-                       .depth = point.depth + closed,
-                       .friction = mixed_friction(a.collider, b.collider),
-                       .restitution = mixed_restitution(a.collider, b.collider)};
-  if (contact.depth < 0) contact.across = start_b - start_a;
-  return contact;
+  contact.a = a.collider.body;
+  contact.b = b.collider.body;
+  contact.collider_a = a.collider.id;
+  contact.collider_b = b.collider.id;
+  contact.feature = point.feature;
+  contact.position = (start_a + start_b) / Real(2);
+  contact.normal = manifold.normal;
+  contact.depth = point.depth + closed;
+  contact.friction = mixed_friction(a.collider, b.collider);
+  contact.static_friction = mixed_static_friction(a.collider, b.collider);
+  contact.rolling_friction = mixed_rolling_friction(a.collider, b.collider);
+  contact.restitution = mixed_restitution(a.collider, b.collider);
+  contact.across = contact.depth < 0 ? start_b - start_a : Vec3(0);
 }
 
 std::uint64_t pair_of(const PointContact& contact) {
@@ -272,8 +273,8 @@ void find_contacts(std::span<const RigidBody> bodies,
                        pose_after(b, time), margin);
     }
     for (int p = 0; p < manifold.count; ++p)
-      contacts.push_back(
-          contact_at(a, b, manifold, manifold.points[std::size_t(p)], time));
+      set_contact(a, b, manifold, manifold.points[std::size_t(p)], time,
+                  contacts.emplace_back());
   }
 }
 

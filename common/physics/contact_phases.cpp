@@ -160,9 +160,10 @@ bool bounce_on(SolverRoom& room, const SolverSettings& settings, Real h) {
     bounces = true;
   }
   if (bounces)
-    prepare_bounces(room, h / 2, [](const ContactRow& row, const auto& a, const auto& b) {
-      return -row.restitution * normal_speed(row, a, b);
-    });
+    prepare_bounces(room, h / 2,
+                    [](const ContactRow& row, const auto& a, const auto& b) {
+                      return -row.restitution * normal_speed(row, a, b);
+                    });
   return bounces;
 }
 

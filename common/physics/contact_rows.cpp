@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/physics/impulse.hpp"
+#include "common/physics/shapes.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION {
 namespace {
@@ -65,14 +66,15 @@ void apply(const SolverBody& body, const Vec3& arm, const Vec3& impulse,
   motion.angular_velocity += body.inverse_inertia * glm::cross(arm, impulse);
 }
 
-// (6.5)
+// (6.5) All of it up to what static friction holds; beyond it slips
 Vec3 limited_friction(const ContactRow& row, const Vec3& wanted, bool use_pyramid) {
+  const Real held = row.static_friction * row.normal_impulse;
+  const Real squared = glm::dot(wanted, wanted);
+  if (squared <= held * held) return wanted;
   if (use_pyramid)
     return in_pyramid(wanted, row.friction, row.normal_impulse,
                       contact_basis(row.normal));
-  const Real most = row.friction * row.normal_impulse;
-  const Real squared = glm::dot(wanted, wanted);
-  return squared > most * most ? most / std::sqrt(squared) * wanted : wanted;
+  return row.friction * row.normal_impulse / std::sqrt(squared) * wanted;
 }
 
 // (6.11) What the row asks for now, and what it has been given so far
@@ -100,6 +102,22 @@ void resolve(ContactRow& row, const SolverBody& a, const SolverBody& b, Motion& 
                        + (row.tangent_impulse - friction_before);
   apply(a, row.arm_a, -impulse, of_a);
   apply(b, row.arm_b, impulse, of_b);
+}
+
+// (6.5) The torque of rolling friction, against the turn about axes along the surface
+void resist_rolling(RollingRow& rolling, SolverRoom& room) {
+  const ContactRow& row = room.rows[rolling.row];
+  SolverBody &a = room.bodies[row.a], &b = room.bodies[row.b];
+  const Vec3 turn = b.angular_velocity - a.angular_velocity;
+  const Vec3 roll = turn - glm::dot(turn, row.normal) * row.normal;
+  const Vec3 axis = unit_or_zero(roll);
+  const Real inverse = glm::dot(axis, (a.inverse_inertia + b.inverse_inertia) * axis);
+  if (inverse <= 0) return;
+
+  const Vec3 before = rolling.impulse;
+  rolling.impulse = in_cone(before - roll / inverse, rolling.arm, row.normal_impulse);
+  a.angular_velocity -= a.inverse_inertia * (rolling.impulse - before);
+  b.angular_velocity += b.inverse_inertia * (rolling.impulse - before);
 }
 
 // Calls `change` for each row with its bodies and their motions, which stay at hand
@@ -154,8 +172,9 @@ void turn_ahead(SolverBody& body, Attitude& attitude, Real ahead, Real time) {
   turn(attitude.inverse_inertia, angle, time - attitude.time, attitude.orientation,
        body.angular_velocity);
   body.free_angular_velocity += body.angular_velocity - before;
-  body.inverse_inertia = world_inverse_inertia(
-      {.orientation = attitude.orientation, .inverse_inertia = attitude.inverse_inertia});
+  body.inverse_inertia =
+      world_inverse_inertia({.orientation = attitude.orientation,
+                             .inverse_inertia = attitude.inverse_inertia});
   attitude.turned = body.turned + ahead * body.angular_velocity;
   attitude.time = time;
 }
@@ -173,21 +192,25 @@ void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> co
   }
 
   room.rows.clear();
+  room.rolling.clear();
   Mat3 basis(0);
   for (const PointContact& c : contacts) {
     if (c.normal != basis[0]) basis = contact_basis(c.normal);
-    ContactRow row{.a = c.a,
-                   .b = c.b,
-                   .normal = c.normal,
-                   .arm_a = c.position - c.across / Real(2) - bodies[c.a].position,
-                   .arm_b = c.position + c.across / Real(2) - bodies[c.b].position,
-                   .friction = c.friction,
-                   .gap = -c.depth,
-                   .restitution = c.restitution};
+    ContactRow& row = room.rows.emplace_back();
+    row.a = c.a;
+    row.b = c.b;
+    row.normal = c.normal;
+    row.arm_a = c.position - c.across / Real(2) - bodies[c.a].position;
+    row.arm_b = c.position + c.across / Real(2) - bodies[c.b].position;
+    row.friction = c.friction;
+    row.static_friction = std::max(c.friction, c.static_friction);
+    row.gap = -c.depth;
+    row.restitution = c.restitution;
     set_masses(row, basis, room);
+    if (c.rolling_friction > 0)
+      room.rolling.push_back({std::uint32_t(room.rows.size() - 1), c.rolling_friction});
     row.normal_impulse = std::max(glm::dot(c.impulse, c.normal), Real(0));
     row.tangent_impulse = c.impulse - glm::dot(c.impulse, c.normal) * c.normal;
-    room.rows.push_back(row);
   }
 }
 
@@ -223,12 +246,14 @@ void warm_start(SolverRoom& room) {
     apply(a, row.arm_a, -impulse_of(row), of_a);
     apply(b, row.arm_b, impulse_of(row), of_b);
   });
+  for (RollingRow& rolling : room.rolling) rolling.impulse = Vec3(0);
 }
 
 void sweep(SolverRoom& room, bool use_pyramid) {
   for_each_row(
       room, [&](ContactRow& row, const SolverBody& a, const SolverBody& b, Motion& of_a,
                 Motion& of_b) { resolve(row, a, b, of_a, of_b, use_pyramid); });
+  for (RollingRow& rolling : room.rolling) resist_rolling(rolling, room);
 }
 
 void move(std::span<SolverBody> bodies, Real half_h) {

@@ -22,23 +22,17 @@ Vec3 without(const Vec3& v, const Vec3& edge) {
 using Index = std::size_t;
 using Vertices = std::array<SupportPoint, 4>;
 
-// The closest point of a part of the simplex; the weights of the other vertices are 0
-struct Closest {
-  Vec3 point;
-  std::array<Real, 4> weights{};
-};
-
-Closest nearer(const Closest& a, const Closest& b) {
+ClosestPoint nearer(const ClosestPoint& a, const ClosestPoint& b) {
   return squared(b.point) < squared(a.point) ? b : a;
 }
 
-Closest closest_on_point(const Vertices& vertices, Index i) {
-  Closest closest{vertices[i].w};
+ClosestPoint closest_on_point(const Vertices& vertices, Index i) {
+  ClosestPoint closest{vertices[i].w};
   closest.weights[i] = 1;
   return closest;
 }
 
-Closest closest_on_segment(const Vertices& vertices, Index i, Index j) {
+ClosestPoint closest_on_segment(const Vertices& vertices, Index i, Index j) {
   const Vec3 &p = vertices[i].w, &q = vertices[j].w;
   const Vec3 e = q - p;
 
@@ -50,7 +44,7 @@ Closest closest_on_segment(const Vertices& vertices, Index i, Index j) {
 
   // From the nearer end
   const Vec3 foot = t < Real(0.5) ? p + t * e : q - (1 - t) * e;
-  Closest closest{without(foot, e)};
+  ClosestPoint closest{without(foot, e)};
   closest.weights[i] = 1 - t;
   closest.weights[j] = t;
   return closest;
@@ -63,7 +57,7 @@ Vec3 foot_on_plane(const Vec3& n, const Vec3& p, const Vec3& q, const Vec3& r) {
   return n * (glm::dot(n, nearest) / squared(n));
 }
 
-Closest closest_on_triangle(const Vertices& vertices, Index i, Index j, Index k) {
+ClosestPoint closest_on_triangle(const Vertices& vertices, Index i, Index j, Index k) {
   const Vec3 &p = vertices[i].w, &q = vertices[j].w, &r = vertices[k].w;
   const Vec3 n = area_normal(p, q, r);
   const Vec3 foot = foot_on_plane(n, p, q, r);
@@ -74,13 +68,13 @@ Closest closest_on_triangle(const Vertices& vertices, Index i, Index j, Index k)
   const Real area_q = glm::dot(n, glm::cross(fr, fp));
   const Real area_r = glm::dot(n, glm::cross(fp, fq));
   if (!(area_p > 0) || !(area_q > 0) || !(area_r > 0)) {
-    Closest best = closest_on_point(vertices, i);
+    ClosestPoint best = closest_on_point(vertices, i);
     if (!(area_p > 0)) best = nearer(best, closest_on_segment(vertices, j, k));
     if (!(area_q > 0)) best = nearer(best, closest_on_segment(vertices, k, i));
     if (!(area_r > 0)) best = nearer(best, closest_on_segment(vertices, i, j));
     return best;
   }
-  Closest closest{foot};
+  ClosestPoint closest{foot};
   const Real whole = area_p + area_q + area_r;
   closest.weights[i] = area_p / whole;
   closest.weights[j] = area_q / whole;
@@ -105,8 +99,8 @@ Closest closest_on_triangle(const Vertices& vertices, Index i, Index j, Index k)
 }
 
 // On the faces opposite to the vertices that are marked
-Closest closest_on_faces(const Vertices& vertices, const std::array<bool, 4>& marked) {
-  Closest best = closest_on_point(vertices, 0);
+ClosestPoint closest_on_faces(const Vertices& vertices, const std::array<bool, 4>& marked) {
+  ClosestPoint best = closest_on_point(vertices, 0);
   if (marked[0]) best = nearer(best, closest_on_triangle(vertices, 1, 2, 3));
   if (marked[1]) best = nearer(best, closest_on_triangle(vertices, 0, 2, 3));
   if (marked[2]) best = nearer(best, closest_on_triangle(vertices, 0, 1, 3));
@@ -114,7 +108,7 @@ Closest closest_on_faces(const Vertices& vertices, const std::array<bool, 4>& ma
   return best;
 }
 
-Closest closest_on_tetrahedron(const Vertices& vertices) {
+ClosestPoint closest_on_tetrahedron(const Vertices& vertices) {
   const Vec3 &p = vertices[0].w, &q = vertices[1].w;
   const Vec3 &r = vertices[2].w, &t = vertices[3].w;
 
@@ -136,17 +130,6 @@ Closest closest_on_tetrahedron(const Vertices& vertices) {
   return {Vec3(0), volumes};
 }
 
-// Keeps the vertices that have weight
-void keep(Simplex& simplex, const Closest& closest) {
-  int kept = 0;
-  for (Index i = 0; i < Index(simplex.size); ++i) {
-    if (!(closest.weights[i] > 0)) continue;
-    simplex.vertices[Index(kept)] = simplex.vertices[i];
-    simplex.weights[Index(kept++)] = closest.weights[i];
-  }
-  simplex.size = kept;
-}
-
 }  // namespace
 
 Vec3 area_normal(const Vec3& p, const Vec3& q, const Vec3& r) {
@@ -162,19 +145,43 @@ Vec3 area_normal(const Vec3& p, const Vec3& q, const Vec3& r) {
   return Vec3(rp2 >= pq2 ? glm::cross(pq, qr) : glm::cross(qr, rp));
 }
 
-Vec3 reduce_to_closest(Simplex& simplex) {
+ClosestPoint closest_to_origin(const Simplex& simplex) {
   const Vertices& v = simplex.vertices;
-  const Closest closest = simplex.size == 1   ? closest_on_point(v, 0)
-                          : simplex.size == 2 ? closest_on_segment(v, 0, 1)
-                          : simplex.size == 3 ? closest_on_triangle(v, 0, 1, 2)
-                                              : closest_on_tetrahedron(v);
+  switch (simplex.size) {
+    case 1:
+      return closest_on_point(v, 0);
+    case 2:
+      return closest_on_segment(v, 0, 1);
+    case 3:
+      return closest_on_triangle(v, 0, 1, 2);
+    default:
+      return closest_on_tetrahedron(v);
+  }
+}
+
+ClosestPoint closest_on_face(const Simplex& simplex) {
+  if (simplex.size < 4) return closest_to_origin(simplex);
+  return closest_on_faces(simplex.vertices, {true, true, true, true});
+}
+
+void keep(Simplex& simplex, const ClosestPoint& closest) {
+  Index kept = 0;
+  for (Index i = 0; i < Index(simplex.size); ++i) {
+    if (!(closest.weights[i] > 0)) continue;
+    if (kept < i) simplex.vertices[kept] = simplex.vertices[i];
+    simplex.weights[kept++] = closest.weights[i];
+  }
+  simplex.size = int(kept);
+}
+
+Vec3 reduce_to_closest(Simplex& simplex) {
+  const ClosestPoint closest = closest_to_origin(simplex);
   keep(simplex, closest);
   return closest.point;
 }
 
 Vec3 reduce_to_closest_face(Simplex& simplex) {
-  if (simplex.size < 4) return reduce_to_closest(simplex);
-  const Closest closest = closest_on_faces(simplex.vertices, {true, true, true, true});
+  const ClosestPoint closest = closest_on_face(simplex);
   keep(simplex, closest);
   return closest.point;
 }
