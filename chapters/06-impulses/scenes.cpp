@@ -6,8 +6,8 @@ namespace timestep::inline TIMESTEP_PRECISION::chapter_06 {
 
 std::vector<Scene> scenes() {
   return {
-      two_blocks_scene(),
-      impact_scene(),
+      two_blocks_scene(), impact_scene(),    bounce_scene(),
+      cradle_scene(),     billiards_scene(), elastic_gas_scene(),
   };
 }
 
