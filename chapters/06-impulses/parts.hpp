@@ -10,6 +10,7 @@
 
 namespace timestep::inline TIMESTEP_PRECISION::chapter_06 {
 
+Scene impact_scene();
 Scene two_blocks_scene();
 
 /// Every solver, as a scene offers it.

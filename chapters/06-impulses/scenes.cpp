@@ -7,6 +7,7 @@ namespace timestep::inline TIMESTEP_PRECISION::chapter_06 {
 std::vector<Scene> scenes() {
   return {
       two_blocks_scene(),
+      impact_scene(),
   };
 }
 
