@@ -362,8 +362,7 @@ TEST_CASE("what slides askew on a slope obeys Newton and Coulomb") {
           if (glm::length(at(t + k_h).v) == 0 || glm::length(now.v) < 0.1) continue;
           const dvec2 v = (at(t + k_h).x - at(t - k_h).x) / (2 * k_h);
           const dvec2 change = (at(t + k_h).v - at(t - k_h).v) / (2 * k_h);
-          const dvec2 friction =
-              -mu * 9.81 * std::cos(angle) * glm::normalize(now.v);
+          const dvec2 friction = -mu * 9.81 * std::cos(angle) * glm::normalize(now.v);
           const dvec2 newton = dvec2(9.81 * std::sin(angle), 0) + friction;
           CHECK(glm::distance(v, now.v) <= k_close);
           CHECK(glm::distance(change, newton) <= k_close);

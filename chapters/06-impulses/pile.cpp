@@ -43,8 +43,7 @@ Pile::Pile(const Setup& setup)
     const glm::dquat turned =
         glm::normalize(glm::dquat{1, chance(), chance(), chance()});
     const bool is_ball = random.uniform(0, 1) < parameter("balls");
-    RigidBody body =
-        is_ball ? ball_body(1, 0.5, at) : box_body(1, glm::dvec3(1), at);
+    RigidBody body = is_ball ? ball_body(1, 0.5, at) : box_body(1, glm::dvec3(1), at);
     body.orientation = Quat(turned);
     add(fmt::format("body {}", i + 1), body,
         is_ball ? ball_collider(0.5, mu, e) : box_collider(glm::dvec3(1), mu, e),
@@ -85,12 +84,11 @@ Scene pile_scene() {
       .summary = "boxes, and balls if you like, fall on each other askew",
       .methods = all_choices(),
       .default_methods = {"substeps"},
-      .parameters =
-          with_settings({{"n", "", "bodies", 100, 1, 2000, true},
-                         {"balls", "", "share of balls among them", 0, 0, 1},
-                         {"friction", "", "of all surfaces", 0.5, 0, 100},
-                         {"restitution", "", "of all surfaces", 0, 0, 1},
-                         {"seed", "", "of chance", 1, 0, 1e9, true}}),
+      .parameters = with_settings({{"n", "", "bodies", 100, 1, 2000, true},
+                                   {"balls", "", "share of balls among them", 0, 0, 1},
+                                   {"friction", "", "of all surfaces", 0.5, 0, 100},
+                                   {"restitution", "", "of all surfaces", 0, 0, 1},
+                                   {"seed", "", "of chance", 1, 0, 1e9, true}}),
       .dt = 1.0 / 60,
       .duration = 10,
       .camera = {.distance = 2, .yaw = 0.6F, .pitch = 0.3F},

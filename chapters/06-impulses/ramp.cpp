@@ -119,8 +119,8 @@ void Ramp::draw(DrawList& list) const {
 
 void Ramp::draw_reference(DrawList& list) const {
   constexpr float k_thick = 0.06F, k_long = 3.2F, k_wide = 1.7F;
-  const glm::mat4 turned = glm::rotate(
-      glm::mat4(1), -static_cast<float>(angle_), glm::vec3(0, 0, 1));
+  const glm::mat4 turned =
+      glm::rotate(glm::mat4(1), -static_cast<float>(angle_), glm::vec3(0, 0, 1));
   const glm::mat4 slab =
       glm::scale(glm::translate(turned, glm::vec3(k_long - 0.6F, -k_thick, 0)),
                  glm::vec3(k_long, k_thick, k_wide));

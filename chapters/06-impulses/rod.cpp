@@ -105,8 +105,7 @@ exact::PainleveForces Rod::painleve() const {
 void Rod::compare() {
   const exact::RodMotion exact = exact_now();
   const double tilt = parameter("tilt");
-  const bool holds =
-      std::abs(exact.friction) <= parameter("friction") * exact.normal;
+  const bool holds = std::abs(exact.friction) <= parameter("friction") * exact.normal;
   compares_ = compares_ && holds && lean() < 1.5 && lean() >= tilt;
   if (!compares_) return;
   until_ = lean();
@@ -132,8 +131,9 @@ void Rod::after_step() {
 
 std::vector<Metric> Rod::own_metrics() const {
   const exact::PainleveForces forces = painleve();
-  const double start_exact =
-      is_falling() ? 0 : std::isfinite(forces.normal) ? forces.normal / weight() : 0;
+  const double start_exact = is_falling()                   ? 0
+                             : std::isfinite(forces.normal) ? forces.normal / weight()
+                                                            : 0;
   return {
       {"rate_error_max", "", rate_error_},
       {"pressure_error_max", "", pressure_error_},
@@ -155,8 +155,7 @@ void Rod::draw(DrawList& list) const {
   const glm::vec3 thin(0.025F, 0.5F, 0.025F);
   const glm::mat4 world_from_rod =
       placed(picture(place(rod)), glm::quat(rod.orientation), 1);
-  list.shapes.push_back({ShapeKind::cylinder,
-                         glm::scale(world_from_rod, thin),
+  list.shapes.push_back({ShapeKind::cylinder, glm::scale(world_from_rod, thin),
                          setup().lanes > 1 ? setup().style.color : body_color(0)});
 }
 

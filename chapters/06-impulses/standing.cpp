@@ -28,10 +28,9 @@ void Standing::add_box(const glm::dvec3& place, const glm::dvec3& edges,
   const glm::dvec3 lengths = size() * edges;
   const double mass = density * lengths.x * lengths.y * lengths.z;
   const std::size_t index = boxes_.size();
-  boxes_.push_back(add(fmt::format("box {}", index + 1),
-                       box_body(mass, lengths, size() * place),
-                       box_collider(lengths, parameter("friction"), 0),
-                       body_color(index)));
+  boxes_.push_back(
+      add(fmt::format("box {}", index + 1), box_body(mass, lengths, size() * place),
+          box_collider(lengths, parameter("friction"), 0), body_color(index)));
   starts_.push_back(size() * place);
 }
 
@@ -72,8 +71,7 @@ std::vector<Metric> Standing::own_metrics() const {
       {"drift", "sizes", drift_ / size()},
       {"drift_max", "sizes", worst_drift_ / size()},
       {"sunk", "sizes", sunk() / size()},
-      {"energy_change", "weights × sizes",
-       weight > 0 ? energy / (weight * size()) : 0},
+      {"energy_change", "weights × sizes", weight > 0 ? energy / (weight * size()) : 0},
   };
 }
 
