@@ -16,6 +16,14 @@ Scene bounce_scene();
 Scene cradle_scene();
 Scene billiards_scene();
 Scene elastic_gas_scene();
+Scene ramp_scene();
+Scene slide_to_roll_scene();
+Scene rod_scene();
+Scene rocking_block_scene();
+Scene stack_scene();
+Scene pyramid_scene();
+Scene pile_scene();
+Scene mass_ratio_scene();
 
 /// Every solver, as a scene offers it.
 std::vector<Method> all_choices();
