@@ -32,6 +32,7 @@ class Billiards : public WorldRun {
   void after_step() override;
   std::vector<Metric> own_metrics() const override;
   double asymmetry() const;
+  double balls_off() const;
 
   BodyHandle cue_{};
   // Those that start as mirror images; a ball on the line is its own
@@ -99,6 +100,18 @@ double Billiards::asymmetry() const {
   return most;
 }
 
+// How many balls are neither on the cloth nor above it
+double Billiards::balls_off() const {
+  int count = 0;
+  for (const RigidBody& body : world().bodies) {
+    if (body.inverse_mass == 0) continue;
+    const glm::dvec3 at = place(body);
+    if (std::abs(at.x) > k_length / 2 || std::abs(at.z) > k_width / 2 || at.y < 0)
+      ++count;
+  }
+  return count;
+}
+
 void Billiards::after_step() {
   if (steps() == 0) energy_ = kinetic_energy_of(world());
   worst_asymmetry_ = std::max(worst_asymmetry_, asymmetry());
@@ -107,6 +120,7 @@ void Billiards::after_step() {
 std::vector<Metric> Billiards::own_metrics() const {
   return {{"asymmetry", "m", asymmetry()},
           {"asymmetry_max", "m", worst_asymmetry_},
+          {"balls_off", "", balls_off()},
           {"energy_left", "", kinetic_energy_of(world()) / energy_},
           {"momentum_along", "kg m/s", momentum_of(world()).x},
           {"momentum_across", "kg m/s", momentum_of(world()).z}};

@@ -107,7 +107,7 @@ void Bounce::draw_reference(DrawList& list) const {
         {.position = at(ball, now) + glm::vec3(0, 0, 1.05F * scale * float(radius_)),
          .style = reference_style(),
          .size = 16});
-    list.labels.push_back({at(ball, -1.4 * radius_) - glm::vec3(0.08F, 0, 0),
+    list.labels.push_back({at(ball, -2.2 * radius_) - glm::vec3(0.08F, 0, 0),
                            fmt::format("e = {:.2g}", ball.exact.e), k_ink});
   }
   list.lines.push_back({.points = starts, .color = k_muted, .dash = Dash::dotted});

@@ -82,7 +82,7 @@ void TwoBlocks::draw_push(DrawList& list, BodyHandle handle, const Push& push) c
     list.labels.push_back({at + way, name, color});
   };
   arrow(0.35F * strength * glm::vec3(push.force), "force", k_force);
-  arrow(0.7F * strength * glm::vec3(push.torque), "torque", k_velocity);
+  arrow(1.3F * strength * glm::vec3(push.torque), "torque", k_velocity);
 }
 
 void TwoBlocks::draw(DrawList& list) const {
