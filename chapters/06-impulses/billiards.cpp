@@ -52,7 +52,9 @@ Billiards::Billiards(const Setup& setup)
 // The cloth and four cushions. Friction at a contact is the geometric mean of both
 void Billiards::add_table() {
   const double mu = parameter("friction");
-  add("cloth", RigidBody{}, floor_collider(mu, 0), k_cloth);
+  Collider cloth = floor_collider(mu, 0);
+  cloth.rolling_friction = Real(parameter("rolling"));
+  add("cloth", RigidBody{}, cloth, k_cloth);
   for (const double side : {-1.0, 1.0}) {
     const glm::dvec3 along(k_length + 4 * k_radius, 2 * k_rail, k_rail);
     const glm::dvec3 across(k_rail, 2 * k_rail, k_width);
@@ -151,6 +153,7 @@ Scene billiards_scene() {
            {"speed", "m/s", "of the cue ball", 5, 0.01, 100},
            {"aside", "m", "of the cue ball, off the rack's middle", 0, -0.5, 0.5},
            {"friction", "", "of balls, cloth and cushions", 0.2, 0, 100},
+           {"rolling", "m", "rolling friction of the cloth", 3e-4, 0, 0.01},
            {"restitution", "", "of the balls, and at the cushions", 0.95, 0, 1}}),
       .dt = 1.0 / 240,
       .duration = 2,
