@@ -26,6 +26,7 @@ struct SolverSettings {
   Real damping_ratio = 5;              ///< of soft contacts: 1 is critical
   Real push_speed = 3;                 ///< [m/s] at most, out of a penetration
   Real restitution_threshold = 0;      ///< [m/s] slower impacts do not bounce
+  Real static_speed = Real(0.01);      ///< [m/s] slower slip is held by static friction
   bool use_pyramid = false;            ///< friction in a square, not in a circle
 };
 
@@ -54,9 +55,8 @@ struct ContactRow {
   Vec3 normal, arm_a, arm_b;  ///< [m] from the centres of mass to the point
   Real normal_mass = 0;       ///< [kg] effective, along the normal
   Real tangent_mass = 0;      ///< [kg] the least along the surface
-  Real friction;              ///< of what slips
-  Real static_friction;       ///< of what does not: no less
-  Real target = 0;            ///< [m/s] parting speed that is asked for
+  Real friction;
+  Real target = 0;  ///< [m/s] parting speed that is asked for
   SoftCoefficients soft{};
   Real normal_impulse = 0;  ///< [N s] accumulated
   Vec3 tangent_impulse{0};
