@@ -212,10 +212,15 @@ void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> co
   }
 }
 
-void turn_ahead(SolverRoom& room, ContactRow& row, Real ahead, Real time) {
+void turn_ahead(SolverRoom& room, const ContactRow& row, Real ahead, Real time) {
   for (const std::uint32_t body : {row.a, row.b})
     turn_ahead(room.bodies[body], room.attitudes[body], ahead, time);
-  set_masses(row, contact_basis(row.normal), room);
+}
+
+void update_masses(SolverRoom& room) {
+  for (ContactRow& row : room.rows)
+    if (room.attitudes[row.a].time > 0 || room.attitudes[row.b].time > 0)
+      set_masses(row, contact_basis(row.normal), room);
 }
 
 void accelerate(std::span<SolverBody> bodies, Real h) {

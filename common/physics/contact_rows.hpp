@@ -110,7 +110,10 @@ void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> co
 /// Looks up the inertia of a row's bodies anew, for where they will be `ahead` [s] from
 /// where they have turned to, at `time` [s] since the start of the step. Their angular
 /// momentum stays. So an impact in the middle of a step keeps the energy.
-void turn_ahead(SolverRoom& room, ContactRow& row, Real ahead, Real time);
+void turn_ahead(SolverRoom& room, const ContactRow& row, Real ahead, Real time);
+
+/// (6.2) Effective masses of all rows whose bodies that has changed.
+void update_masses(SolverRoom& room);
 
 /// Forces and gravity for h [s].
 void accelerate(std::span<SolverBody> bodies, Real h);
