@@ -74,6 +74,10 @@ std::vector<BodyState> WorldRun::bodies() const {
   return states;
 }
 
+double WorldRun::impulse_time() const {
+  return setup_.dt / (setup_.method == "substeps" ? parameter("substeps") : 1);
+}
+
 double WorldRun::fastest() const {
   double most = 0;
   for (const Seen& seen : seen_) {
@@ -144,8 +148,6 @@ void WorldRun::draw_body(DrawList& list, const Seen& seen) const {
 
 // Contacts of the last step: their normals, and the forces that they stand for
 void WorldRun::draw_contacts(DrawList& list) const {
-  const bool is_parted = setup_.method == "substeps";
-  const double h = setup_.dt / (is_parted ? parameter("substeps") : 1);
   for (const PointContact& contact : world_.contacts) {
     if (contact.depth < -Real(0.1) * world_.margin) continue;
     const glm::vec3 at = picture(glm::dvec3(contact.position) - origin_);
@@ -157,7 +159,7 @@ void WorldRun::draw_contacts(DrawList& list) const {
                              .to = at + view_.normal * glm::vec3(contact.normal),
                              .color = k_normal,
                              .width = 3});
-    const glm::vec3 force = glm::vec3(glm::dvec3(contact.impulse) / h);
+    const glm::vec3 force = glm::vec3(glm::dvec3(contact.impulse) / impulse_time());
     if (view_.force > 0 && force != glm::vec3(0))
       list.arrows.push_back(
           {.from = at, .to = at + view_.force * force, .color = k_force});

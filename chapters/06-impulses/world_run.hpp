@@ -62,6 +62,9 @@ class WorldRun : public Simulation {
   long long steps() const { return steps_; }
   double time() const { return static_cast<double>(steps_) * setup_.dt; }
 
+  /// What the impulses of the world's contacts acted for: a step or a substep [s].
+  double impulse_time() const;
+
   /// [m/s] No point of a body is faster than this.
   double fastest() const;
 
