@@ -12,9 +12,9 @@ std::vector<Method> all_choices() {
   return all;
 }
 
-std::vector<Parameter> with_settings(std::vector<Parameter> own) {
+std::vector<Parameter> with_settings(std::vector<Parameter> own, double gravity) {
   const std::vector<Parameter> shared{
-      {"gravity", "m/s²", "downwards", 9.81, 0, 1000},
+      {"gravity", "m/s²", "downwards", gravity, 0, 1000},
       {"substeps", "", "of the method substeps, in a step", 4, 1, 1000, true},
       {"iterations", "", "sweeps; of worst_first, impacts in hundreds", 10, 1, 1000,
        true},

@@ -12,6 +12,10 @@ namespace timestep::inline TIMESTEP_PRECISION::chapter_06 {
 
 Scene impact_scene();
 Scene two_blocks_scene();
+Scene bounce_scene();
+Scene cradle_scene();
+Scene billiards_scene();
+Scene elastic_gas_scene();
 Scene ramp_scene();
 Scene slide_to_roll_scene();
 Scene rod_scene();
@@ -25,8 +29,8 @@ Scene mass_ratio_scene();
 std::vector<Method> all_choices();
 
 /// A scene's own parameters, then those of every world: gravity, the solvers' settings
-/// and how far the scene stands from the origin.
-std::vector<Parameter> with_settings(std::vector<Parameter> own);
+/// and how far the scene stands from the origin. `gravity` [m/s²] is the default.
+std::vector<Parameter> with_settings(std::vector<Parameter> own, double gravity = 9.81);
 
 /// A world without bodies, as those parameters and the method say.
 World world_of(const Setup& setup);

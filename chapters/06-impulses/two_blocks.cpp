@@ -16,9 +16,9 @@ constexpr double k_mass_1 = 1, k_mass_2 = 1;                        // [kg]
 struct Push {
   glm::dvec3 force, torque;
 };
-const Push k_push_1{{1.2, 0, 0.4}, {0, 0.15, -0.3}};
-const Push k_push_2{{-1.6, 0, 0.2}, {0.2, 0, 0.35}};
-constexpr double k_push_time = 0.25;
+const Push k_push_1{{3.5, 0, -0.5}, {-0.3, -0.4, -1}};
+const Push k_push_2{{-2, 0, -0.5}, {0, 0.5, -0.6}};
+constexpr double k_push_time = 0.2;
 
 class TwoBlocks : public WorldRun {
  public:
@@ -49,7 +49,7 @@ TwoBlocks::TwoBlocks(const Setup& setup)
   add("floor", RigidBody{}, floor_collider(mu, e), k_body);
   first_ = add("first", box_body(k_mass_1, k_size_1, {-0.35, height, 0}),
                box_collider(k_size_1, mu, e), body_color(0));
-  second_ = add("second", box_body(k_mass_2, k_size_2, {0.45, height + 1.1, 0.1}),
+  second_ = add("second", box_body(k_mass_2, k_size_2, {0.4, height + 1.1, 0.15}),
                 box_collider(k_size_2, mu, e), body_color(1));
 }
 
@@ -77,7 +77,7 @@ std::vector<Metric> TwoBlocks::own_metrics() const {
 void TwoBlocks::draw_push(DrawList& list, BodyHandle handle, const Push& push) const {
   const glm::vec3 at = picture(place(body_of(world(), handle)));
   const float strength = static_cast<float>(parameter("push"));
-  const glm::vec3 force = 0.5F * strength * glm::vec3(push.force);
+  const glm::vec3 force = 0.3F * strength * glm::vec3(push.force);
   list.arrows.push_back({.from = at, .to = at + force, .color = k_force, .width = 5});
   list.labels.push_back({at + force, "force", k_force});
 }
@@ -100,14 +100,14 @@ Scene two_blocks_scene() {
       .parameters = with_settings(
           {{"height", "m", "of the lower block's centre at the start", 1.6, 0.6, 1000},
            {"friction", "", "of all surfaces", 0.5, 0, 100},
-           {"restitution", "", "of all surfaces", 0.5, 0, 1},
+           {"restitution", "", "of all surfaces", 0.7, 0, 1},
            {"push", "", "strength of the forces and torques", 1, 0, 10}}),
       .dt = 1.0 / 60,
       .duration = 10,
-      .camera = {.target = {0.1F, 1.35F, 0},
-                 .distance = 6.2F,
+      .camera = {.target = {0.1F, 1.45F, 0},
+                 .distance = 4.5F,
                  .yaw = 0.3F,
-                 .pitch = 0.15F},
+                 .pitch = 0.12F},
       .chart_metric = "energy",
       .start = [](const Setup& setup) { return std::make_unique<TwoBlocks>(setup); },
   };

@@ -51,13 +51,15 @@ void push_apart(Bodies bodies, const PointContact& c, const ContactAnchors& anch
 // (5.4) Gauss-Seidel on the velocities of `bodies`: each contact parts at its bias,
 // with impulses that never pull
 void part_at_bias(Bodies bodies, Contacts contacts, const PenetrationSettings& settings,
-                  Real dt, std::vector<Real>& impulses) {
+                  Real dt, PenetrationRoom& room) {
+  std::vector<Real>& impulses = room.impulses;
   impulses.assign(contacts.size(), 0);
   for (int k = 0; k < settings.iterations; ++k) {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const PointContact& c = contacts[i];
       const Real beyond = c.depth - settings.slop;
       if (beyond <= 0) continue;
+      ++room.solved;
       RigidBody &a = bodies[c.a], &b = bodies[c.b];
       const Lever arms = lever(c, a, b, c.position);
       const Real speed =
@@ -115,6 +117,7 @@ void linear_projection(Bodies bodies, Contacts contacts,
       RigidBody &a = bodies[c.a], &b = bodies[c.b];
       const Real beyond = depth_now(c, room.anchors[i], a, b) - settings.slop;
       if (beyond <= 0) continue;
+      ++room.solved;
 
       // (5.2) Formula 4
       const Real masses = a.inverse_mass + b.inverse_mass;
@@ -135,6 +138,7 @@ void worst_first_projection(Bodies bodies, Contacts contacts,
     if (worst->depth <= settings.epsilon) break;
     push_apart(bodies, *worst, room.anchors[std::size_t(worst - contacts.begin())],
                worst->depth);
+    ++room.solved;
 
     // What moved with it is deeper now, or less deep
     const auto [a, b] = std::pair(worst->a, worst->b);
@@ -148,7 +152,7 @@ void worst_first_projection(Bodies bodies, Contacts contacts,
 
 void baumgarte(Bodies bodies, Contacts contacts, const PenetrationSettings& settings,
                Real dt, PenetrationRoom& room) {
-  part_at_bias(bodies, contacts, settings, dt, room.impulses);
+  part_at_bias(bodies, contacts, settings, dt, room);
 }
 
 void split_impulse(Bodies bodies, Contacts contacts,
@@ -157,7 +161,7 @@ void split_impulse(Bodies bodies, Contacts contacts,
   anchor_all(bodies, contacts, room);
   room.pseudo.assign(bodies.begin(), bodies.end());
   for (RigidBody& body : room.pseudo) body.velocity = body.angular_velocity = Vec3(0);
-  part_at_bias(room.pseudo, contacts, settings, dt, room.impulses);
+  part_at_bias(room.pseudo, contacts, settings, dt, room);
 
   // (5.5) They act once, and are gone
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -178,7 +182,9 @@ void ngs(Bodies bodies, Contacts contacts, const PenetrationSettings& settings,
       const PointContact& c = contacts[i];
       const Real depth = depth_now(c, room.anchors[i], bodies[c.a], bodies[c.b]);
       const Real beyond = depth - settings.slop;
-      if (beyond > 0) push_apart(bodies, c, room.anchors[i], settings.beta * beyond);
+      if (beyond <= 0) continue;
+      push_apart(bodies, c, room.anchors[i], settings.beta * beyond);
+      ++room.solved;
     }
   }
   measure_all(bodies, contacts, room);

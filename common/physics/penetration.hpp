@@ -50,6 +50,7 @@ struct PenetrationRoom {
   std::vector<ContactAnchors> anchors;
   std::vector<RigidBody> pseudo;  ///< bodies with the velocities that only push
   std::vector<Real> impulses;     ///< [N s] along the normals
+  long long solved = 0;           ///< how often some depth was taken out of a contact
 };
 
 /// A way out. It moves the bodies, or gives them velocities that do in a step of dt

@@ -88,8 +88,9 @@ std::string collider_fault(const Collider& collider) {
   if (!std::visit(HasGoodSize{}, collider.shape)) return "a size is not positive";
   if (!is_finite(collider.pose.position) || !is_unit(collider.pose.orientation))
     return "a shape's pose is not one";
-  if (!(std::isfinite(collider.friction) && collider.friction >= 0))
-    return "a friction is negative";
+  for (const Real friction :
+       {collider.friction, collider.static_friction, collider.rolling_friction})
+    if (!(std::isfinite(friction) && friction >= 0)) return "a friction is negative";
   if (!(collider.restitution >= 0 && collider.restitution <= 1))
     return "a restitution is not within 0 and 1";
   return "";
@@ -124,6 +125,7 @@ void remove_body(World& world, BodyHandle handle) {
   std::erase_if(world.colliders, is_its);
   world.bodies[handle.index] = {};
   world.is_there[handle.index] = false;
+  wake(world.sleepers);
 }
 
 RigidBody& body_of(World& world, BodyHandle handle) {
@@ -139,12 +141,17 @@ const RigidBody& body_of(const World& world, BodyHandle handle) {
 void step(World& world, Real dt) {
   check(world, dt);
 
+  if (world.sleep.is_on) hold_sleepers(world.bodies, world.sleepers);
+
   // Contacts where the bodies are now, with the impulses that the same ones had before
   std::swap(world.contacts, world.contacts_before);
   const Real falling = glm::length(world.settings.gravity);
-  find_contacts(world.bodies, world.colliders, world.margin, falling, dt, world.search,
-                world.contacts);
-  carry_impulses(world.contacts_before, world.contacts);
+  do {
+    find_contacts(world.bodies, world.colliders, world.margin, falling, dt,
+                  world.search, world.contacts);
+  } while (world.sleep.is_on
+           && wake_touched(world.bodies, world.contacts, world.sleep, world.sleepers));
+  carry_impulses(world.contacts_before, world.margin, world.contacts);
 
   // New velocities that the contacts allow, and new positions with them
   world.solver->advance({.bodies = world.bodies,
@@ -156,6 +163,8 @@ void step(World& world, Real dt) {
                          .dt = dt,
                          .room = world.room,
                          .penetration_room = world.penetration_room});
+  if (world.sleep.is_on)
+    fall_asleep(world.bodies, world.contacts, world.sleep, dt, world.sleepers);
 }
 
 RigidBody body_with_mass(Real mass, const Mat3& inertia) {

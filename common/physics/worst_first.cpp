@@ -28,6 +28,22 @@ Impact impact_at(const SolverStep& step, const PointContact& c, Real closing) {
           .friction = c.friction};
 }
 
+// (6.5) The law's impulse with static friction if that holds, else with that of slip
+Vec3 impulse_at(const SolverStep& step, const PointContact& c, Real closing) {
+  const RigidBody &a = step.bodies[c.a], &b = step.bodies[c.b];
+  Impact impact = impact_at(step, c, closing);
+  if (c.static_friction > c.friction) {
+    impact.friction = c.static_friction;
+    const Vec3 J = step.impact_law.impulse(a, b, impact);
+    const Real normal = glm::dot(J, c.normal);
+    constexpr Real k_holds = Real(0.999);
+    if (glm::length(J - normal * c.normal) < k_holds * c.static_friction * normal)
+      return J;
+  }
+  impact.friction = c.friction;
+  return step.impact_law.impulse(a, b, impact);
+}
+
 // (6.9), (6.10) Listings 8 and 9: the fastest contact, again and again, until that one
 // is slow enough; then Listing 7 for those that share a body with it
 void resolve_velocities(const SolverStep& step, std::vector<Real>& closing) {
@@ -42,8 +58,7 @@ void resolve_velocities(const SolverStep& step, std::vector<Real>& closing) {
     if (*fastest <= step.settings.velocity_epsilon) return;
     PointContact& primary = contacts[std::size_t(fastest - closing.begin())];
     RigidBody &a = step.bodies[primary.a], &b = step.bodies[primary.b];
-    const Vec3 impulse =
-        step.impact_law.impulse(a, b, impact_at(step, primary, *fastest));
+    const Vec3 impulse = impulse_at(step, primary, *fastest);
     apply_impulse(a, b, primary.position, impulse);
     primary.impulse += impulse;
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "common/physics/distance_constraint.hpp"
@@ -174,7 +175,9 @@ void print_contacts() {
     const Separation s = sat(a, pose_a, b, pose_b).separation;
     print("sat", s.distance + sum(s.normal) + a.volume);
     const Manifold manifold = contact_manifold(a, pose_a, b, pose_b, s);
-    for (const ContactPoint& c : manifold.points) print("contact", sum(c.position));
+    for (const ContactPoint& c :
+         std::span(manifold.points).first(std::size_t(manifold.count)))
+      print("contact", sum(c.position));
   }
 }
 
