@@ -52,11 +52,13 @@ Rod::Rod(const Setup& setup)
   const double tilt = parameter("tilt");
   add("floor", RigidBody{}, floor_collider(mu, 0), k_body);
 
-  // From the edge that it stands on, the centre is in the direction of the lean
+  // From the edge that it stands on, the centre is in the direction of the lean,
   const glm::dvec3 size(k_thin * length(), length(), k_thin * length());
   const glm::dvec3 middle =
       half * std::hypot(1, k_thin) * glm::dvec3(std::sin(tilt), std::cos(tilt), 0);
+  // and nothing turns it about its own axis
   RigidBody rod = box_body(k_mass, size, middle);
+  rod.inverse_inertia.y = 0;
   rod.orientation = Quat(glm::angleAxis(-tilt - k_edge, glm::dvec3(0, 0, 1)));
   rod.velocity = {-Real(parameter("speed")), 0, 0};
   rod_ = add("rod", rod, box_collider(size, mu, 0), body_color(0));
