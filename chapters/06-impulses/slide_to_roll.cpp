@@ -81,9 +81,9 @@ void SlideToRoll::after_step() {
   const double error = glm::distance(v, in_scene(exact_now().v));
   velocity_error_max_ = std::max(velocity_error_max_, error);
 
-  // Rolling is a slip that no longer counts: a millionth of that at the start
+  // Rolling is a slip that no longer counts: a thousandth of that at the start
   const double at_start = glm::length(exact::slip(exact_ball(), exact_start()));
-  if (rolls_ || slip() > 1e-6 * at_start) return;
+  if (rolls_ || slip() > 1e-3 * at_start) return;
   rolls_ = true;
   rolling_time_ = time();
 }

@@ -60,8 +60,8 @@ void set_motion(SolverBody& body, const Motion& motion) {
 }
 
 // (6.8)
-void apply(const SolverBody& body, const Vec3& arm, const Vec3& impulse,
-           Motion& motion) {
+inline void apply(const SolverBody& body, const Vec3& arm, const Vec3& impulse,
+                  Motion& motion) {
   motion.velocity += body.inverse_mass * impulse;
   motion.angular_velocity += body.inverse_inertia * glm::cross(arm, impulse);
 }
