@@ -11,7 +11,7 @@ std::vector<Scene> scenes() {
       two_blocks_scene(),    impact_scene(),    ramp_scene(),
       slide_to_roll_scene(), rod_scene(),       rocking_block_scene(),
       stack_scene(),         pyramid_scene(),   pile_scene(),
-      mass_ratio_scene(),
+      mass_ratio_scene(),    thin_wall_scene(),
   };
 }
 
