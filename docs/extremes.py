@@ -55,8 +55,7 @@ def cell(outcome: Outcome) -> str:
 
 
 def table(rows: list[dict], outcomes: list[list[Outcome]]) -> str:
-    lines = [f"**{rows[0]['table']}**", ""] if "table" in rows[0] else []
-    lines += ["| extreme | judged by | double | single | what to do |",
+    lines = ["| extreme | judged by | double | single | what to do |",
              "|---|---|---|---|---|"]
     for row, pair in zip(rows, outcomes):
         metric = row["metric"].replace("_", " ")
@@ -90,10 +89,7 @@ def main() -> int:
         flat = list(pool.map(lambda job: measure(program, *job), jobs))
     outcomes = [flat[i:i + 2] for i in range(0, len(flat), 2)]
 
-    # A table for all rows, or one for each `table` that they name
-    for name in dict.fromkeys(row.get("table") for row in rows):
-        chosen = [pair for pair in zip(rows, outcomes) if pair[0].get("table") == name]
-        print(table(*map(list, zip(*chosen))), end="\n\n" if name else "\n")
+    print(table(rows, outcomes))
     wrong = surprises(rows, outcomes)
     for line in wrong:
         print(f"extremes: {line}", file=sys.stderr)
