@@ -74,7 +74,8 @@ Scene pile() {
   for (int layer = 0; layer < 10; ++layer) {
     const dvec3 shift(random() / 2, 0, random() / 2);
     for (int i = 0; i < 100; ++i) {
-      const dvec3 place(i % 10 - 4.5, layer + 0.5, i / 10 - 4.5);
+      const dvec3 place =
+          dvec3(glm::ivec3(i % 10, layer, i / 10)) - dvec3(4.5, -0.5, 4.5);
       Body body = unit_box(k_pitch * place + shift);
       body.orientation = glm::normalize(glm::dquat(1, random.vector()));
       scene.bodies.push_back(body);
@@ -105,7 +106,7 @@ Scene elastic_gas() {
     }
   Random random;
   for (int i = 0; i < 64; ++i) {
-    const dvec3 place(i % 4 - 1.5, i / 4 % 4 - 1.5, i / 16 - 1.5);
+    const dvec3 place = dvec3(glm::ivec3(i % 4, i / 4 % 4, i / 16)) - 1.5;
     Body body = ball(1, 0.1, 0.5 * place + 0.1 * random.vector());
     body.velocity = 3.0 * random.vector();
     scene.bodies.push_back(body);
@@ -141,7 +142,8 @@ Scene six_cubed(double base, double restitution) {
   Scene scene{{floor()}};
   Random random;
   for (int i = 0; i < 216; ++i) {
-    const dvec3 place(i % 6 - 2.5, i / 36, i / 6 % 6 - 2.5);
+    const dvec3 place =
+        dvec3(glm::ivec3(i % 6, i / 36, i / 6 % 6)) - dvec3(2.5, 0, 2.5);
     const dvec3 position =
         dvec3(0, base, 0) + k_pitch * place + 0.001 * random.vector();
     scene.bodies.push_back(ball(10, 0.1, position));

@@ -41,8 +41,9 @@ TEST_CASE("a block on a slope stays below the angle of friction, and slides abov
       const double mu = 0.4, angle = share * std::atan(mu);
       const auto block = run_all("ramp", method, {{"angle", angle}, {"friction", mu}});
       if (share < 1) {
-        // Rounding of what holds it, each step anew
-        CHECK(metric(*block, "fastest") <= 64 * k_u * k_g * k_60_hz);
+        // It creeps by less than a micrometre in as long, and the rounding of what
+        // holds it, each step anew
+        CHECK(metric(*block, "fastest") <= 1e-6 / 1.8 + 64 * k_u * k_g * k_60_hz);
         CHECK(metric(*block, "way_error") <= missing_speed(mu) * k_60_hz);
       } else {
         // The speed at the end is off by what is missing at the start at most
@@ -111,14 +112,14 @@ TEST_CASE("a rod falls at the rate that its energy says, the closer the shorter 
     for (const char* method : {"substeps", "sequential_impulses", "lcp"}) {
       INFO(method << ", " << friction);
       const Changes floor{{"friction", friction}};
-      const auto coarse = run("rod", method, 1.0 / 240, 1, floor);
-      const auto fine = run("rod", method, 1.0 / 960, 1, floor);
+      const auto coarse = run("rod", method, 1.0 / 240, 0.5, floor);
+      const auto fine = run("rod", method, 1.0 / 960, 0.5, floor);
       CHECK(metric(*coarse, "rate_error_max") < 0.02);
 
-      // First order at least: a quarter, and rounding of 960 steps in single
+      // First order at least: a quarter, and rounding of 480 steps in single
       CHECK(metric(*fine, "rate_error_max")
-            <= 0.5 * metric(*coarse, "rate_error_max") + 960 * 8 * k_u);
-      CHECK(metric(*fine, "compared_until") > 0.85);
+            <= 0.5 * metric(*coarse, "rate_error_max") + 480 * 8 * k_u);
+      CHECK(metric(*fine, "compared_until") > 0.5);
     }
   }
 }

@@ -278,6 +278,17 @@ void find_contacts(std::span<const RigidBody> bodies,
   }
 }
 
+void hold_still(std::span<const RigidBody> bodies, Real speed,
+                std::span<PointContact> contacts) {
+  for (PointContact& c : contacts) {
+    if (c.static_friction <= c.friction) continue;
+    const Vec3 v =
+        velocity_at(bodies[c.b], c.position) - velocity_at(bodies[c.a], c.position);
+    const Vec3 slip = v - glm::dot(v, c.normal) * c.normal;
+    if (glm::dot(slip, slip) < speed * speed) c.friction = c.static_friction;
+  }
+}
+
 void carry_impulses(std::span<const PointContact> before, Real reach,
                     std::span<PointContact> contacts) {
   std::size_t start = 0;

@@ -66,15 +66,14 @@ void apply(const SolverBody& body, const Vec3& arm, const Vec3& impulse,
   motion.angular_velocity += body.inverse_inertia * glm::cross(arm, impulse);
 }
 
-// (6.5) All of it up to what static friction holds; beyond it slips
+// (6.5)
 Vec3 limited_friction(const ContactRow& row, const Vec3& wanted, bool use_pyramid) {
-  const Real held = row.static_friction * row.normal_impulse;
-  const Real squared = glm::dot(wanted, wanted);
-  if (squared <= held * held) return wanted;
   if (use_pyramid)
     return in_pyramid(wanted, row.friction, row.normal_impulse,
                       contact_basis(row.normal));
-  return row.friction * row.normal_impulse / std::sqrt(squared) * wanted;
+  const Real most = row.friction * row.normal_impulse;
+  const Real squared = glm::dot(wanted, wanted);
+  return squared > most * most ? most / std::sqrt(squared) * wanted : wanted;
 }
 
 // (6.11) What the row asks for now, and what it has been given so far
@@ -203,7 +202,6 @@ void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> co
     row.arm_a = c.position - c.across / Real(2) - bodies[c.a].position;
     row.arm_b = c.position + c.across / Real(2) - bodies[c.b].position;
     row.friction = c.friction;
-    row.static_friction = std::max(c.friction, c.static_friction);
     row.gap = -c.depth;
     row.restitution = c.restitution;
     set_masses(row, basis, room);
@@ -214,10 +212,15 @@ void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> co
   }
 }
 
-void turn_ahead(SolverRoom& room, ContactRow& row, Real ahead, Real time) {
+void turn_ahead(SolverRoom& room, const ContactRow& row, Real ahead, Real time) {
   for (const std::uint32_t body : {row.a, row.b})
     turn_ahead(room.bodies[body], room.attitudes[body], ahead, time);
-  set_masses(row, contact_basis(row.normal), room);
+}
+
+void update_masses(SolverRoom& room) {
+  for (ContactRow& row : room.rows)
+    if (room.attitudes[row.a].time > 0 || room.attitudes[row.b].time > 0)
+      set_masses(row, contact_basis(row.normal), room);
 }
 
 void accelerate(std::span<SolverBody> bodies, Real h) {
