@@ -17,6 +17,7 @@ results() takes the medians out of what Google Benchmark wrote:
                          "wrong_side": …, "no_answer": …, "no_end": …}}}
 
 The last, which counts answers to the pairs of a truth file, is pair-peers' own: no time.
+world_table.py has the names of chapter 6's scenes.
 
 bench/results.json is such a file: what `./timestep bench --publish` measured last. The
 text quotes it.
@@ -26,17 +27,14 @@ from __future__ import annotations
 import csv
 import io
 import math
-import sys
 from collections import defaultdict
-from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
-sys.path.append(str(Path(__file__).resolve().parent.parent / "docs"))
-from weave_runs import written  # noqa: E402
+import world_table
+from table_cell import PRECISIONS, Answer, Cell, rounded
 
 PUBLISHED = Path(__file__).resolve().parent / "results.json"
-PRECISIONS = ("single", "double")
 UNITS = {"items_per_second": ("million_per_second", 1e-6),
          "bytes_per_second": ("GB_per_second", 1e-9),
          **{key: (key, 1) for key in (
@@ -44,7 +42,8 @@ UNITS = {"items_per_second": ("million_per_second", 1e-6),
              "attitude_error_100_s", "energy_change", "flips", "flips_energy_change",
              "wrong", "error", "worst_error", "edge_pairs")}}
 LIBRARIES = ("Odeint", "GSL", "Bullet", "ODE", "FCL")
-PARTS = ("particles", "kepler", "all", "rotation", "top", "pairs", "contacts", "growth")
+PARTS = ("particles", "kepler", "all", "rotation", "top", "pairs", "contacts", "growth",
+         *world_table.PARTS)
 PAIR_FILES = ("geometry_public", "robustness_public")
 WITHOUT_GYROSCOPIC_TERM = "constant_omega"
 # Who takes the same step, or one of the same order
@@ -72,10 +71,6 @@ ANSWERED_BY = {
 }
 
 
-def rounded(value: float) -> float:
-    return float(f"{value:.4g}")
-
-
 def results(report: dict, machine: str) -> dict:
     values = defaultdict(lambda: defaultdict(list))
     for run in sorted(report["benchmarks"], key=lambda run: run["family_index"]):
@@ -92,28 +87,11 @@ def results(report: dict, machine: str) -> dict:
     return {"machine": machine, **context, "medians": medians}
 
 
-@dataclass(frozen=True)
-class Cell:
-    """One number, or one for each precision. What was not measured is None."""
-
-    values: tuple[float | str | None, ...]
-    spec: str
-    parts: tuple[str, str] = PRECISIONS  # what two values are
-
-    def __str__(self) -> str:
-        texts = [f"`{value}`" if isinstance(value, str) else written(value, self.spec)
-                 for value in self.values]
-        return "–" if set(texts) == {"–"} else " / ".join(texts)
-
-
-class Answer(Cell):
-    """Nanoseconds, and in brackets how many of a thousand are wrong, if any."""
-
-    def __str__(self) -> str:
-        ns, wrong = self.values
-        if ns is None:
-            return "–"
-        return written(ns, self.spec) + (f" ({wrong:.0f})" if wrong else "")
+def add(medians: dict, more: dict) -> None:
+    """What other programs found, beside what was measured under the same names."""
+    for name, values in more.items():
+        medians.setdefault(name, {}).update(
+            {key: None if v is None else rounded(v) for key, v in values.items()})
 
 
 class Tables:
@@ -244,10 +222,18 @@ class Tables:
             both = ns[ours] and ns[peer]
             return Cell((ns[ours] / ns[peer] if both else None,), ".2f")
 
+        def over_bullet(ours: str, peer: str) -> Cell:
+            both = [answer(tuple(method.replace("double", precision)
+                                 for method in ANSWERED_BY[ours])).values[0]
+                    for precision in PRECISIONS]
+            return Cell(tuple(each / ns[peer] if each and ns[peer] else None
+                              for each in both), ".2f")
+
         return row | {"warm / cold": over("the same, warm", "GJK and EPA"),
                       "GJK and EPA / libccd's": over("GJK and EPA", "libccd, EPA"),
-                      "GJK and EPA / Bullet's": over("GJK and EPA", "Bullet, GJK"),
-                      "SAT / Bullet's boxes": over("formula or SAT", "Bullet, boxes")}
+                      "GJK and EPA / Bullet's": over_bullet("GJK and EPA", "Bullet, GJK"),
+                      "SAT / Bullet's boxes": over_bullet("formula or SAT",
+                                                          "Bullet, boxes")}
 
     def growth(self, vertices: int) -> dict[str, Cell]:
         """What hulls of so many vertices take."""
@@ -272,6 +258,8 @@ class Tables:
         row for every method that moves particles."""
         if part in ("contacts", "growth"):
             return self.rows_not_by_method(part)
+        if part in world_table.PARTS:
+            return world_table.rows(self.medians, part)
         columns = {"particles": [self.particles], "kepler": [self.kepler],
                    "all": [self.particles, self.kepler],
                    "rotation": [self.rotation], "top": [self.top],

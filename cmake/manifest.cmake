@@ -16,6 +16,6 @@ set(timestep_manifest
     side_of_plane quickhull convex_hull sat manifold decomposition
     libccd_query pair_query compound"
   "05-penetration: contact penetration"
-  "06-impulses: impulse soft_contact contact_rows contact_phases solvers worst_first lcp
-    world exact_bounce exact_impact exact_sliding exact_rolling exact_tipping"
+  "06-impulses: impulse soft_contact contact_rows contact_phases sleeping solvers
+    worst_first lcp world exact_bounce exact_impact exact_sliding exact_rolling exact_tipping"
 )

@@ -98,6 +98,7 @@ class BenchTableTest(unittest.TestCase):
         self.measured["medians"] |= {
             "contacts/box_box/depth/sat/double": {"ns": 200.0, "wrong": 0},
             "contacts/box_box/depth/Bullet_boxes/single": {"ns": 160.0, "wrong": 22},
+            "contacts/box_box/depth/sat/single": {"ns": 120.0, "wrong": 0},
             "contacts/sphere_box/distance/gjk_epa/double": {"ns": 400.0, "wrong": 0},
             "contacts/sphere_box/distance/gjk_epa_warm/double": {"ns": 100.0},
             "contacts/sphere_box/distance/Bullet/double": {"ns": 1600.0, "wrong": 1}}
@@ -107,11 +108,11 @@ class BenchTableTest(unittest.TestCase):
         self.assertEqual(row["GJK and EPA"], "400")
         self.assertEqual(row["warm / cold"], "0.25")
         self.assertEqual(row["Bullet, GJK"], "1,600 (1)")
-        self.assertEqual(row["GJK and EPA / Bullet's"], "0.25")
+        self.assertEqual(row["GJK and EPA / Bullet's"], "– / 0.25")
         self.assertEqual(row["FCL"], "–")
         row = self.row("contacts", 1)
         self.assertEqual(row["Bullet, boxes"], "160 (22)")
-        self.assertEqual(row["SAT / Bullet's boxes"], "1.25")
+        self.assertEqual(row["SAT / Bullet's boxes"], "0.75 / 1.25")
         text = bench_table.comma_separated(self.tables.rows("contacts"))
         self.assertIn('"Bullet, boxes, wrong"', text.splitlines()[0])
 
@@ -142,6 +143,50 @@ class BenchTableTest(unittest.TestCase):
         self.assertEqual(row["wrong side"], "–")
         self.assertEqual(self.row("pairs", 1)["asked"], "322 / –")
         self.assertEqual(len(self.tables.rows("pairs")), 2)
+
+    def add(self, more: dict) -> None:
+        bench_table.add(self.measured["medians"], more)
+        self.tables = bench_table.Tables(self.measured)
+
+    def test_stacks_say_what_a_step_takes_and_what_becomes_of_them(self) -> None:
+        self.add({"stacks/pyramid/Bullet/single": {"ns": 1e6},
+                  "stacks/pyramid/substeps/double": {"ns": 0.5e6},
+                  "stacks/pyramid/Bullet/double": {"ns": 2e6, "stands": 0}})
+        self.add({"stacks/pyramid/substeps/double": {
+            "worst_depth": 0.00123456, "drift": 0.25, "energy_change": -0.01,
+            "stands": 1}})
+        ours, bullet = self.row("stacks", 0), self.row("stacks", 1)
+        self.assertEqual(len(self.tables.rows("stacks")), 2)
+        self.assertEqual((ours["scene"], ours["moved by"]), ("`pyramid`", "`substeps`"))
+        self.assertEqual(ours["ms a step"], "– / 0.5")
+        self.assertEqual(ours["time / Bullet's"], "– / 0.25")
+        box3d = 0.5 / (0.388 / 0.809)
+        self.assertEqual(ours["time / Box3D's"], f"– / {box3d:.2f}")
+        self.assertEqual(ours["worst penetration [mm]"], "– / 1.23")
+        self.assertEqual(ours["drift [mm]"], "– / 250")
+        self.assertEqual(ours["energy [%]"], "– / −1")
+        self.assertEqual((ours["stands at 60 s"], bullet["stands at 60 s"]),
+                         ("– / yes", "– / no"))
+        self.assertEqual(bullet["time / Bullet's"], "1.00 / 1.00")
+
+    def test_accuracy_in_percent(self) -> None:
+        self.add({"accuracy/Bullet_no_erp/double": {"ball_energy": -0.135,
+                                                    "stop_error": None}})
+        row = self.row("accuracy", 0)
+        self.assertEqual(row["moved by"], "Bullet, ERP off")
+        self.assertEqual(row["bouncing ball, energy [%]"], "– / −14")
+        self.assertEqual(row["sliding block, stop [%]"], "–")
+
+    def test_simbenchmark_by_what_is_varied_failures_and_omissions_named(self) -> None:
+        self.add({"simbench/666/ODE/double/0.01": {"error": 2e-4, "seconds": 1.5},
+                  "simbench/666/Bullet/double/0.01": {"error": None, "seconds": 0.5},
+                  "simbench/666/ODE/double/0.003": {"error": 1e-4, "seconds": 4}})
+        rows = [self.row("simbench", i) for i in range(3)]
+        self.assertEqual([row["is"] for row in rows],
+                         ["0.0001, left out", "0.003", "0.01"])
+        self.assertEqual([row["ODE"] for row in rows],
+                         ["–", "0.0001 (4)", "0.0002 (1.5)"])
+        self.assertEqual([row["Bullet"] for row in rows], ["–", "–", "fails (0.5)"])
 
     def test_what_is_not_there_is_a_dash(self) -> None:
         self.assertEqual(self.row("kepler", 0)["GSL"], "–")

@@ -105,7 +105,8 @@ std::size_t contact_manifolds(Compound a, const Pose& pose_a, Compound b,
     // Back from A's position
     s.on_a += pose_a.position;
     s.on_b += pose_a.position;
-    for (ContactPoint& point : manifold.points) point.position += pose_a.position;
+    for (std::size_t i = 0; i < std::size_t(manifold.count); ++i)
+      manifold.points[i].position += pose_a.position;
     contacts[count - 1] = {{s, pair.a, pair.b}, manifold};
   });
   return count;

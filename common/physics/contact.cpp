@@ -152,8 +152,8 @@ Real meeting_time(const Mover& a, const Mover& b, Real margin, Real dt) {
 
 // A point of a manifold, which may be that of a time within the step: the arms are as
 // they will be, the gap is what closes until then
-PointContact contact_at(const Mover& a, const Mover& b, const Manifold& manifold,
-                        const ContactPoint& point, Real time) {
+void set_contact(const Mover& a, const Mover& b, const Manifold& manifold,
+                 const ContactPoint& point, Real time, PointContact& contact) {
   const Vec3 moved_a = time * a.body.velocity, moved_b = time * b.body.velocity;
   const Vec3 start_a = on_a(manifold, point) - moved_a;
   const Vec3 start_b = on_b(manifold, point) - moved_b;
@@ -162,18 +162,54 @@ PointContact contact_at(const Mover& a, const Mover& b, const Manifold& manifold
       * (glm::cross(b.body.angular_velocity, start_b - b.body.position)
          - glm::cross(a.body.angular_velocity, start_a - a.body.position));
   const Real closed = glm::dot(manifold.normal, moved_b - moved_a + turned);
-  PointContact contact{.a = a.collider.body,
-                       .b = b.collider.body,
-                       .collider_a = a.collider.id,
-                       .collider_b = b.collider.id,
-                       .feature = point.feature,
-                       .position = (start_a + start_b) / Real(2),
-                       .normal = manifold.normal,
-                       .depth = point.depth + closed,
-                       .friction = mixed_friction(a.collider, b.collider),
-                       .restitution = mixed_restitution(a.collider, b.collider)};
-  if (contact.depth < 0) contact.across = start_b - start_a;
-  return contact;
+  contact.a = a.collider.body;
+  contact.b = b.collider.body;
+  contact.collider_a = a.collider.id;
+  contact.collider_b = b.collider.id;
+  contact.feature = point.feature;
+  contact.position = (start_a + start_b) / Real(2);
+  contact.normal = manifold.normal;
+  contact.depth = point.depth + closed;
+  contact.friction = mixed_friction(a.collider, b.collider);
+  contact.static_friction = mixed_static_friction(a.collider, b.collider);
+  contact.rolling_friction = mixed_rolling_friction(a.collider, b.collider);
+  contact.restitution = mixed_restitution(a.collider, b.collider);
+  contact.across = contact.depth < 0 ? start_b - start_a : Vec3(0);
+}
+
+std::uint64_t pair_of(const PointContact& contact) {
+  return std::uint64_t(contact.collider_a) << 32 | contact.collider_b;
+}
+
+// By feature; then what is left, to the nearest that is left
+void carry_impulses_of_pair(std::span<const PointContact> before, Real reach,
+                            std::span<PointContact> contacts) {
+  std::uint32_t given = 0, taken = 0;  // bit by bit, of a pair's points
+  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+    for (std::uint32_t k = 0; k < before.size(); ++k) {
+      if (before[k].feature != contacts[i].feature) continue;
+      contacts[i].impulse = before[k].impulse;
+      given |= 1U << i;
+      taken |= 1U << k;
+      break;
+    }
+  }
+  for (std::uint32_t i = 0; i < contacts.size(); ++i) {
+    if ((given >> i & 1U) != 0) continue;
+    Real nearest = reach * reach;
+    std::uint32_t best = 32;
+    for (std::uint32_t k = 0; k < before.size(); ++k) {
+      if ((taken >> k & 1U) != 0) continue;
+      const Vec3 way = before[k].position - contacts[i].position;
+      const Real squared = glm::dot(way, way);
+      if (squared > nearest) continue;
+      nearest = squared;
+      best = k;
+    }
+    if (best == 32) continue;
+    contacts[i].impulse = before[best].impulse;
+    taken |= 1U << best;
+  }
 }
 
 }  // namespace
@@ -237,25 +273,34 @@ void find_contacts(std::span<const RigidBody> bodies,
                        pose_after(b, time), margin);
     }
     for (int p = 0; p < manifold.count; ++p)
-      contacts.push_back(
-          contact_at(a, b, manifold, manifold.points[std::size_t(p)], time));
+      set_contact(a, b, manifold, manifold.points[std::size_t(p)], time,
+                  contacts.emplace_back());
   }
 }
 
-void carry_impulses(std::span<const PointContact> before,
+void hold_still(std::span<const RigidBody> bodies, Real speed,
+                std::span<PointContact> contacts) {
+  for (PointContact& c : contacts) {
+    if (c.static_friction <= c.friction) continue;
+    const Vec3 v =
+        velocity_at(bodies[c.b], c.position) - velocity_at(bodies[c.a], c.position);
+    const Vec3 slip = v - glm::dot(v, c.normal) * c.normal;
+    if (glm::dot(slip, slip) < speed * speed) c.friction = c.static_friction;
+  }
+}
+
+void carry_impulses(std::span<const PointContact> before, Real reach,
                     std::span<PointContact> contacts) {
-  const auto pair_of = [](const PointContact& c) {
-    return std::uint64_t(c.collider_a) << 32 | c.collider_b;
-  };
   std::size_t start = 0;
-  for (PointContact& contact : contacts) {
-    while (start < before.size() && pair_of(before[start]) < pair_of(contact)) ++start;
-    for (std::size_t i = start; i < before.size(); ++i) {
-      if (pair_of(before[i]) != pair_of(contact)) break;
-      if (before[i].feature != contact.feature) continue;
-      contact.impulse = before[i].impulse;
-      break;
-    }
+  for (std::size_t first = 0, end = 0; first < contacts.size(); first = end) {
+    const std::uint64_t pair = pair_of(contacts[first]);
+    while (end < contacts.size() && pair_of(contacts[end]) == pair) ++end;
+    while (start < before.size() && pair_of(before[start]) < pair) ++start;
+    std::size_t stop = start;
+    while (stop < before.size() && pair_of(before[stop]) == pair) ++stop;
+    carry_impulses_of_pair(before.subspan(start, stop - start), reach,
+                           contacts.subspan(first, end - first));
+    start = stop;
   }
 }
 

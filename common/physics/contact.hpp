@@ -18,10 +18,12 @@ namespace timestep::inline TIMESTEP_PRECISION {
 struct Collider {
   std::uint32_t body = 0;  ///< its index
   Shape shape = Sphere{1};
-  Pose pose{};  ///< body from shape
-  Real friction = Real(0.5);
-  Real restitution = 0;
-  std::uint32_t id = 0;  ///< ascending from collider to collider
+  Pose pose{};                ///< body from shape
+  Real friction = Real(0.5);  ///< of what slips over it
+  Real static_friction = 0;   ///< of what does not slip yet, where it is more
+  Real rolling_friction = 0;  ///< [m] torque against rolling, over the normal force
+  Real restitution = 0;       ///< parting speed over closing speed, 0 to 1
+  std::uint32_t id = 0;       ///< ascending from collider to collider
 };
 
 /// A point where two bodies touch, or may within the step.
@@ -33,6 +35,7 @@ struct PointContact {
   Vec3 normal;                           ///< unit, from A to B
   Real depth;                            ///< [m] negative across a gap
   Real friction, restitution;
+  Real static_friction = 0, rolling_friction = 0;  ///< see Collider
   Vec3 across{0};   ///< [m] from A's point to B's, if they are apart and will meet
   Vec3 impulse{0};  ///< [N s] on B, in the last step or substep: the warm start
 };
@@ -52,10 +55,20 @@ inline Pose world_pose(const RigidBody& body, const Collider& collider) {
 Manifold touch(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b,
                Real margin);
 
-/// What a pair of surfaces has in common: the geometric mean of the frictions,
-/// the larger restitution.
+/// What a pair of surfaces has in common: the geometric mean of the frictions, of those
+/// that hold and of those that slip; the larger restitution and rolling friction.
 inline Real mixed_friction(const Collider& a, const Collider& b) {
   return std::sqrt(a.friction * b.friction);
+}
+inline Real mixed_static_friction(const Collider& a, const Collider& b) {
+  if (a.static_friction == 0 && b.static_friction == 0) return 0;
+  const Real of_a = a.static_friction > a.friction ? a.static_friction : a.friction;
+  const Real of_b = b.static_friction > b.friction ? b.static_friction : b.friction;
+  return std::sqrt(of_a * of_b);
+}
+inline Real mixed_rolling_friction(const Collider& a, const Collider& b) {
+  return a.rolling_friction > b.rolling_friction ? a.rolling_friction
+                                                 : b.rolling_friction;
 }
 inline Real mixed_restitution(const Collider& a, const Collider& b) {
   return a.restitution > b.restitution ? a.restitution : b.restitution;
@@ -89,9 +102,16 @@ void find_contacts(std::span<const RigidBody> bodies,
                    std::span<const Collider> colliders, Real margin, Real acceleration,
                    Real dt, ContactSearch& search, std::vector<PointContact>& contacts);
 
-/// Gives each contact the impulse that the same one had before: the same colliders and
-/// the same feature. Both lists are in the order of the pairs.
-void carry_impulses(std::span<const PointContact> before,
+/// Contacts that slip more slowly than `speed` [m/s] have static friction, where that
+/// is more.
+void hold_still(std::span<const RigidBody> bodies, Real speed,
+                std::span<PointContact> contacts);
+
+/// Gives each contact the impulse that the same one had before: of the same colliders,
+/// the same feature. One whose feature is new, as where corners lie on each other and
+/// change places, has that of the nearest that is left, no further than `reach` [m].
+/// Both lists are in the order of the pairs.
+void carry_impulses(std::span<const PointContact> before, Real reach,
                     std::span<PointContact> contacts);
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

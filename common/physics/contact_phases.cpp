@@ -34,16 +34,54 @@ Closing closing_of(Real gap, Real v, Real acceleration, Real h) {
   return {true, std::min(2 * gap / (speed - v), h), speed};
 }
 
-// (6.4) What a row asks for that closes within the substep: to part again, if it would
-// not be back before the substep is over; else to stay
+// When the impulse of a landing acts, all in all: what stops the fall at once, what
+// then carries it evenly over the time that is left
+Real landing_time(const Closing& closing, Real acceleration, Real h) {
+  const Real left = h - closing.time, carried = left * std::max(-acceleration, Real(0));
+  const Real all = closing.speed + carried;
+  return all > 0 ? closing.time + carried / all * left / 2 : closing.time;
+}
+
+// (6.4) What a row does that closes within the substep: it parts again, if it would not
+// be back before the substep is over; else it stays
 void arrive(ContactRow& row, const Closing& closing, Real acceleration,
             const SolverSettings& settings, Real h) {
   const Real parting = row.restitution * closing.speed, left = h - closing.time;
   const bool bounces = closing.speed > slowest_bounce(settings, h)
                        && parting + left / 2 * acceleration > 0;
   row.phase = bounces ? ContactPhase::bouncing : ContactPhase::landing;
-  row.target = bounces ? parting + left * acceleration : 0;
-  row.time = closing.time;
+  row.target = 0;
+  row.time = bounces ? closing.time : landing_time(closing, acceleration, h);
+}
+
+Real normal_speed(const ContactRow& row, const SolverBody& a, const SolverBody& b) {
+  return glm::dot(row.normal, velocity_between(row, a, b));
+}
+
+Real normal_acceleration(const ContactRow& row, const SolverBody& a,
+                         const SolverBody& b) {
+  return glm::dot(row.normal, b.acceleration - a.acceleration);
+}
+
+// (6.4) All bodies as they will be when they bounce, in a substep that has come to
+// `now` [s]. Then each row asks for what its restitution makes of its speed there
+void prepare_bounces(SolverRoom& room, Real now, const auto& parting) {
+  for (const ContactRow& row : room.rows)
+    if (row.phase == ContactPhase::bouncing)
+      turn_ahead(room, row, row.time - now, room.time + row.time);
+  update_masses(room);
+  for (ContactRow& row : room.rows)
+    if (row.phase == ContactPhase::bouncing)
+      row.target = parting(row, room.bodies[row.a], room.bodies[row.b]);
+}
+
+// (6.4) Its speed at the end of a substep at whose start it is `gap` apart
+Real parting_after(const ContactRow& row, const SolverBody& a, const SolverBody& b,
+                   Real h) {
+  const Real gap = std::max(gap_now(row, a, b), Real(0)), v = normal_speed(row, a, b);
+  const Real acceleration = normal_acceleration(row, a, b);
+  const Real speed = std::sqrt(std::max(v * v - 2 * acceleration * gap, Real(0)));
+  return row.restitution * speed + (h - row.time) * acceleration;
 }
 
 // (6.13) What a row asks for in the substep
@@ -53,8 +91,8 @@ void look_ahead(ContactRow& row, const SolverBody& a, const SolverBody& b,
   row.time = h / 2;
   row.soft = {};
   if (gap > 0 || row.restitution > 0) {
-    const Real v = glm::dot(row.normal, velocity_between(row, a, b));
-    const Real acceleration = glm::dot(row.normal, b.acceleration - a.acceleration);
+    const Real v = normal_speed(row, a, b);
+    const Real acceleration = normal_acceleration(row, a, b);
     const Closing closing = closing_of(gap, v, acceleration, h);
     if (closing.closes) {
       arrive(row, closing, acceleration, settings, h);
@@ -94,6 +132,10 @@ bool look_ahead(SolverRoom& room, const SolverSettings& settings,
     look_ahead(row, room.bodies[row.a], room.bodies[row.b], settings, soft, h);
     bounces = bounces || row.phase == ContactPhase::bouncing;
   }
+  if (bounces)
+    prepare_bounces(room, 0, [&](const ContactRow& row, const auto& a, const auto& b) {
+      return parting_after(row, a, b, h);
+    });
   return bounces;
 }
 
@@ -111,14 +153,18 @@ bool bounce_on(SolverRoom& room, const SolverSettings& settings, Real h) {
     if (row.phase != ContactPhase::apart || row.restitution == 0) continue;
 
     // It is the middle of the substep: whether this closes in the other half
-    const Real closing = -glm::dot(row.normal, velocity_between(row, a, b));
+    const Real closing = -normal_speed(row, a, b);
     const Real gap = std::max(gap_now(row, a, b), Real(0));
     if (closing <= slowest_bounce(settings, h) || gap >= h / 2 * closing) continue;
     row.phase = ContactPhase::bouncing;
-    row.target = row.restitution * closing;
     row.time = h / 2 + gap / closing;
     bounces = true;
   }
+  if (bounces)
+    prepare_bounces(room, h / 2,
+                    [](const ContactRow& row, const auto& a, const auto& b) {
+                      return -row.restitution * normal_speed(row, a, b);
+                    });
   return bounces;
 }
 
@@ -136,6 +182,7 @@ void correct_for_time(SolverRoom& room, Real h) {
       continue;
     correct_for_time(row, room.bodies[row.a], room.bodies[row.b], h);
   }
+  room.time += h;
 }
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

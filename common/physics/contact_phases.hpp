@@ -25,7 +25,7 @@ bool bounce_on(SolverRoom& room, const SolverSettings& settings, Real h);
 void relax(std::span<ContactRow> rows);
 
 /// Impulses that acted at a time of their own moved the bodies for the rest of the
-/// substep only. `move` had them act in the middle.
+/// substep only. `move` had them act in the middle. Then the substep is over.
 void correct_for_time(SolverRoom& room, Real h);
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

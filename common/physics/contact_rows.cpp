@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/physics/impulse.hpp"
+#include "common/physics/shapes.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION {
 namespace {
@@ -102,6 +103,22 @@ void resolve(ContactRow& row, const SolverBody& a, const SolverBody& b, Motion& 
   apply(b, row.arm_b, impulse, of_b);
 }
 
+// (6.5) The torque of rolling friction, against the turn about axes along the surface
+void resist_rolling(RollingRow& rolling, SolverRoom& room) {
+  const ContactRow& row = room.rows[rolling.row];
+  SolverBody &a = room.bodies[row.a], &b = room.bodies[row.b];
+  const Vec3 turn = b.angular_velocity - a.angular_velocity;
+  const Vec3 roll = turn - glm::dot(turn, row.normal) * row.normal;
+  const Vec3 axis = unit_or_zero(roll);
+  const Real inverse = glm::dot(axis, (a.inverse_inertia + b.inverse_inertia) * axis);
+  if (inverse <= 0) return;
+
+  const Vec3 before = rolling.impulse;
+  rolling.impulse = in_cone(before - roll / inverse, rolling.arm, row.normal_impulse);
+  a.angular_velocity -= a.inverse_inertia * (rolling.impulse - before);
+  b.angular_velocity += b.inverse_inertia * (rolling.impulse - before);
+}
+
 // Calls `change` for each row with its bodies and their motions, which stay at hand
 // while rows are about the same pair
 void for_each_row(SolverRoom& room, const auto& change) {
@@ -117,24 +134,48 @@ void for_each_row(SolverRoom& room, const auto& change) {
   }
 }
 
+// (6.2)
+void set_masses(ContactRow& row, const Mat3& basis, const SolverRoom& room) {
+  const InverseMasses k =
+      inverse_masses(row, basis, room.bodies[row.a], room.bodies[row.b]);
+  row.normal_mass = 1 / k.normal;
+  row.tangent_mass = 1 / k.tangent;
+}
+
+// Nothing changes its inertia: it is the same about all axes, or nothing turns it
+bool is_alike(const Vec3& k) {
+  return k.x == 0 || k.y == 0 || k.z == 0 || (k.x == k.y && k.y == k.z);
+}
+
 // (6.16) Turns a body, and changes its angular velocity so that the angular momentum
 // stays: to second order, by the acceleration that this means at the start
-void turn(RigidBody& body, const Vec3& angle, const Vec3& omega, Real dt) {
-  const Vec3& k = body.inverse_inertia;
-  const bool is_held = k.x == 0 || k.y == 0 || k.z == 0;
-  if (is_held || (k.x == k.y && k.y == k.z)) {
-    body.angular_velocity = omega;
-    body.orientation = glm::normalize(rotation_by(angle) * body.orientation);
+void turn(const Vec3& k, const Vec3& angle, Real dt, Quat& orientation, Vec3& omega) {
+  if (is_alike(k)) {
+    orientation = glm::normalize(rotation_by(angle) * orientation);
     return;
   }
-  const Vec3 w = turned_by(glm::conjugate(body.orientation), omega);
+  const Vec3 w = turned_by(glm::conjugate(orientation), omega);
   const Vec3 momentum = w / k;
   const Vec3 gyroscopic = k * glm::cross(momentum, w);
-  const Vec3 L = turned_by(body.orientation, momentum);
-  const Vec3 further = turned_by(body.orientation, dt * dt / 2 * gyroscopic);
-  body.orientation = glm::normalize(rotation_by(angle + further) * body.orientation);
-  body.angular_velocity =
-      turned_by(body.orientation, k * turned_by(glm::conjugate(body.orientation), L));
+  const Vec3 L = turned_by(orientation, momentum);
+  const Vec3 further = turned_by(orientation, dt * dt / 2 * gyroscopic);
+  orientation = glm::normalize(rotation_by(angle + further) * orientation);
+  omega = turned_by(orientation, k * turned_by(glm::conjugate(orientation), L));
+}
+
+// The same from one attitude to the next
+void turn_ahead(SolverBody& body, Attitude& attitude, Real ahead, Real time) {
+  if (is_alike(attitude.inverse_inertia) || time <= attitude.time) return;
+  const Vec3 angle = body.turned + ahead * body.angular_velocity - attitude.turned;
+  const Vec3 before = body.angular_velocity;
+  turn(attitude.inverse_inertia, angle, time - attitude.time, attitude.orientation,
+       body.angular_velocity);
+  body.free_angular_velocity += body.angular_velocity - before;
+  body.inverse_inertia =
+      world_inverse_inertia({.orientation = attitude.orientation,
+                             .inverse_inertia = attitude.inverse_inertia});
+  attitude.turned = body.turned + ahead * body.angular_velocity;
+  attitude.time = time;
 }
 
 }  // namespace
@@ -142,29 +183,44 @@ void turn(RigidBody& body, const Vec3& angle, const Vec3& omega, Real dt) {
 void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> contacts,
              const SolverSettings& settings, SolverRoom& room) {
   room.bodies.clear();
-  for (const RigidBody& body : bodies)
+  room.attitudes.clear();
+  room.time = 0;
+  for (const RigidBody& body : bodies) {
     room.bodies.push_back(solver_body(body, settings.gravity));
+    room.attitudes.push_back({body.orientation, body.inverse_inertia});
+  }
 
   room.rows.clear();
+  room.rolling.clear();
   Mat3 basis(0);
   for (const PointContact& c : contacts) {
     if (c.normal != basis[0]) basis = contact_basis(c.normal);
-    ContactRow row{.a = c.a,
-                   .b = c.b,
-                   .normal = c.normal,
-                   .arm_a = c.position - c.across / Real(2) - bodies[c.a].position,
-                   .arm_b = c.position + c.across / Real(2) - bodies[c.b].position,
-                   .friction = c.friction,
-                   .gap = -c.depth,
-                   .restitution = c.restitution};
-    const InverseMasses k =
-        inverse_masses(row, basis, room.bodies[c.a], room.bodies[c.b]);
-    row.normal_mass = 1 / k.normal;
-    row.tangent_mass = 1 / k.tangent;
+    ContactRow& row = room.rows.emplace_back();
+    row.a = c.a;
+    row.b = c.b;
+    row.normal = c.normal;
+    row.arm_a = c.position - c.across / Real(2) - bodies[c.a].position;
+    row.arm_b = c.position + c.across / Real(2) - bodies[c.b].position;
+    row.friction = c.friction;
+    row.gap = -c.depth;
+    row.restitution = c.restitution;
+    set_masses(row, basis, room);
+    if (c.rolling_friction > 0)
+      room.rolling.push_back({std::uint32_t(room.rows.size() - 1), c.rolling_friction});
     row.normal_impulse = std::max(glm::dot(c.impulse, c.normal), Real(0));
     row.tangent_impulse = c.impulse - glm::dot(c.impulse, c.normal) * c.normal;
-    room.rows.push_back(row);
   }
+}
+
+void turn_ahead(SolverRoom& room, const ContactRow& row, Real ahead, Real time) {
+  for (const std::uint32_t body : {row.a, row.b})
+    turn_ahead(room.bodies[body], room.attitudes[body], ahead, time);
+}
+
+void update_masses(SolverRoom& room) {
+  for (ContactRow& row : room.rows)
+    if (room.attitudes[row.a].time > 0 || room.attitudes[row.b].time > 0)
+      set_masses(row, contact_basis(row.normal), room);
 }
 
 void accelerate(std::span<SolverBody> bodies, Real h) {
@@ -193,12 +249,14 @@ void warm_start(SolverRoom& room) {
     apply(a, row.arm_a, -impulse_of(row), of_a);
     apply(b, row.arm_b, impulse_of(row), of_b);
   });
+  for (RollingRow& rolling : room.rolling) rolling.impulse = Vec3(0);
 }
 
 void sweep(SolverRoom& room, bool use_pyramid) {
   for_each_row(
       room, [&](ContactRow& row, const SolverBody& a, const SolverBody& b, Motion& of_a,
                 Motion& of_b) { resolve(row, a, b, of_a, of_b, use_pyramid); });
+  for (RollingRow& rolling : room.rolling) resist_rolling(rolling, room);
 }
 
 void move(std::span<SolverBody> bodies, Real half_h) {
@@ -211,7 +269,8 @@ void move(std::span<SolverBody> bodies, Real half_h) {
 void move_bodies(std::span<RigidBody> bodies, Real dt) {
   for (RigidBody& body : bodies) {
     body.position += dt * body.velocity;
-    turn(body, dt * body.angular_velocity, body.angular_velocity, dt);
+    turn(body.inverse_inertia, dt * body.angular_velocity, dt, body.orientation,
+         body.angular_velocity);
     body.force = body.torque = Vec3(0);
   }
 }
@@ -224,7 +283,12 @@ void finish(const SolverRoom& room, Real dt, std::span<RigidBody> bodies,
     body.position += solved.moved;
     body.velocity = solved.velocity;
     body.force = body.torque = Vec3(0);
-    turn(body, solved.turned, solved.angular_velocity, dt);
+
+    const Attitude& attitude = room.attitudes[i];
+    body.orientation = attitude.orientation;
+    body.angular_velocity = solved.angular_velocity;
+    turn(body.inverse_inertia, solved.turned - attitude.turned, dt - attitude.time,
+         body.orientation, body.angular_velocity);
   }
   for (std::size_t i = 0; i < contacts.size(); ++i)
     contacts[i].impulse = room.rows[i].phase == ContactPhase::bouncing

@@ -26,6 +26,7 @@ struct SolverSettings {
   Real damping_ratio = 5;              ///< of soft contacts: 1 is critical
   Real push_speed = 3;                 ///< [m/s] at most, out of a penetration
   Real restitution_threshold = 0;      ///< [m/s] slower impacts do not bounce
+  Real static_speed = Real(0.01);      ///< [m/s] slower slip is held by static friction
   bool use_pyramid = false;            ///< friction in a square, not in a circle
 };
 
@@ -65,6 +66,13 @@ struct ContactRow {
   ContactPhase phase = ContactPhase::lasting;
 };
 
+/// A row whose normal impulse also resists rolling.
+struct RollingRow {
+  std::uint32_t row;
+  Real arm;         ///< [m] the torque is up to this times the normal force
+  Vec3 impulse{0};  ///< [N m s] accumulated, on B
+};
+
 /// (6.1) Velocity [m/s] of B's point less that of A's.
 inline Vec3 velocity_between(const ContactRow& row, const SolverBody& a,
                              const SolverBody& b) {
@@ -77,10 +85,21 @@ inline Vec3 impulse_of(const ContactRow& row) {
   return row.normal_impulse * row.normal + row.tangent_impulse;
 }
 
+/// How a body stood when the inertia that it is solved with was last looked up.
+struct Attitude {
+  Quat orientation;      ///< world from body
+  Vec3 inverse_inertia;  ///< [1/(kg m²)] of the principal moments, body frame
+  Vec3 turned{0};        ///< [rad] `turned` of the solver's body then
+  Real time = 0;         ///< [s] since the start of the step
+};
+
 /// Room for a step, kept between steps.
 struct SolverRoom {
   std::vector<SolverBody> bodies;
+  std::vector<Attitude> attitudes;  ///< of the bodies
+  Real time = 0;                    ///< [s] since the start of the step
   std::vector<ContactRow> rows;
+  std::vector<RollingRow> rolling;
   std::vector<Real> closing;  ///< [m/s] of each contact: for `worst_first`
 };
 
@@ -88,10 +107,18 @@ struct SolverRoom {
 void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> contacts,
              const SolverSettings& settings, SolverRoom& room);
 
+/// Looks up the inertia of a row's bodies anew, for where they will be `ahead` [s] from
+/// where they have turned to, at `time` [s] since the start of the step. Their angular
+/// momentum stays. So an impact in the middle of a step keeps the energy.
+void turn_ahead(SolverRoom& room, const ContactRow& row, Real ahead, Real time);
+
+/// (6.2) Effective masses of all rows whose bodies that has changed.
+void update_masses(SolverRoom& room);
+
 /// Forces and gravity for h [s].
 void accelerate(std::span<SolverBody> bodies, Real h);
 
-/// (6.11) All rows start from the impulses that they had.
+/// (6.11) All rows start from the impulses that they had, but for rolling friction.
 void warm_start(SolverRoom& room);
 
 /// (6.11) Both in a substep after another one with the same impulses, which then do to
@@ -99,7 +126,7 @@ void warm_start(SolverRoom& room);
 void accelerate_again(std::span<SolverBody> bodies, Real h);
 
 /// (6.11) One sweep: each row in turn asks for what its accumulated impulse lacks.
-/// Normal impulses never pull; friction stays in its cone.
+/// Normal impulses never pull; friction stays in its cone. Then what resists rolling.
 void sweep(SolverRoom& room, bool use_pyramid);
 
 /// Half a substep's way at the present velocities.

@@ -37,6 +37,17 @@ double stop_time(const Incline& incline, double v0);
 /// stays, or slides down again if the slope is too steep for it.
 Coordinate on_incline(const Incline& incline, double v0, double t);
 
+/// Place [m] and velocity [m/s] on the slope: down it, and across.
+struct SlopeMotion {
+  glm::dvec2 x, v;
+};
+
+/// The same from a velocity in any direction of the slope, t >= 0 seconds later. With
+/// phi the velocity's angle from downhill and w = tan(phi / 2), Newton's law has the
+/// speed go as (1 + w²) w^(k - 1), k = mu_kinetic / tan angle, and dt as minus the
+/// speed times dw / w.
+SlopeMotion across_incline(const Incline& incline, const glm::dvec2& v0, double t);
+
 /// A box on its base that leans on a slope: it slides or tips, whichever angle is less.
 struct BoxOnIncline {
   double base, height;  ///< along the slope and off it [m], above 0

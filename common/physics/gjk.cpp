@@ -16,6 +16,10 @@ bool holds(const Simplex& simplex, const Vec3& w) {
   return false;
 }
 
+bool has_all_four(const ClosestPoint& closest) {
+  return std::ranges::all_of(closest.weights, [](Real w) { return w > 0; });
+}
+
 void finish(Gjk& gjk, Reason reason) {
   gjk.reason = reason;
   gjk.done = true;
@@ -46,8 +50,10 @@ void gjk_step(const MinkowskiDifference& difference, Gjk& gjk) {
   // No point of the difference is nearer than the plane through the support point
   const Real upper = glm::length(gjk.v);
   const Vec3 normal = direction_to(gjk.v, upper);
-  const SupportPoint& near = gjk.simplex.vertices[std::size_t(gjk.simplex.size - 1)];
-  const SupportPoint next = support(difference, normal, near);
+  Simplex& simplex = gjk.simplex;
+  const auto size = std::size_t(simplex.size);
+  SupportPoint& next = simplex.vertices[size];
+  find_support(difference, normal, simplex.vertices[size - 1], next);
   ++gjk.iterations;
   const Real lower = glm::dot(normal, next.w);
   const bool rises = lower > gjk.lower, is_along_v = lower > gjk.lower - k_rounding;
@@ -59,16 +65,20 @@ void gjk_step(const MinkowskiDifference& difference, Gjk& gjk) {
   const Real gap = upper - gjk.lower;
   const Reason at_rest = gap <= k_rounding ? Reason::converged : Reason::no_progress;
   const bool is_tight = gap <= k_rounding / 16 && is_along_v;
-  if (is_tight || holds(gjk.simplex, next.w)) return finish(gjk, at_rest);
-  Simplex larger = gjk.simplex;
-  larger.vertices[std::size_t(larger.size++)] = next;
-  Vec3 v = reduce_to_closest(larger);
-  if (larger.size == 4 && gjk.lower > k_rounding) v = reduce_to_closest_face(larger);
-  const Real closer = glm::length(v);
-  if (!(closer < upper || (rises && closer <= upper + k_rounding / 16)))
+  if (is_tight || holds(simplex, next.w)) return finish(gjk, at_rest);
+
+  // The larger simplex's closest point, if that is closer
+  ++simplex.size;
+  ClosestPoint closest = closest_to_origin(simplex);
+  if (has_all_four(closest) && gjk.lower > k_rounding)
+    closest = closest_on_face(simplex);
+  const Real closer = glm::length(closest.point);
+  if (!(closer < upper || (rises && closer <= upper + k_rounding / 16))) {
+    --simplex.size;
     return finish(gjk, at_rest);
-  gjk.simplex = larger;
-  gjk.v = v;
+  }
+  keep(simplex, closest);
+  gjk.v = closest.point;
   if (cores_meet(gjk)) return finish(gjk, Reason::converged);
   if (gjk.iterations >= k_gjk_limit) finish(gjk, Reason::iteration_limit);
 }

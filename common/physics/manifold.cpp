@@ -33,8 +33,11 @@ struct Polygon {
   std::array<Corner, 2 * k_face_capacity> corners;
   int count = 0;
 
-  void add(const Corner& corner) {
-    if (std::size_t(count) < corners.size()) corners[std::size_t(count++)] = corner;
+  void add(const Vec3& point, SideName side) {
+    if (std::size_t(count) == corners.size()) return;
+    Corner& corner = corners[std::size_t(count++)];
+    corner.point = point;
+    corner.side = side;
   }
   const Corner& at(int i) const {
     return corners[std::size_t(i < count ? i : i - count)];
@@ -46,14 +49,19 @@ struct Candidates {
   std::array<ContactPoint, 2 * k_face_capacity + 1> points;
   int count = 0;
 
-  void add(const ContactPoint& p) { points[std::size_t(count++)] = p; }
+  void add(const Vec3& position, Real depth, std::uint64_t feature) {
+    ContactPoint& point = points[std::size_t(count++)];
+    point.position = position;
+    point.depth = depth;
+    point.feature = feature;
+  }
   std::span<ContactPoint> all() { return {points.data(), std::size_t(count)}; }
 };
 
 void fill(const SupportingFace& face, SideName body, Polygon& polygon) {
   polygon.count = 0;
   for (std::size_t i = 0; i < std::size_t(face.count); ++i)
-    polygon.add({face.corners[i], face.sides[i] | body});
+    polygon.add(face.corners[i], face.sides[i] | body);
 }
 
 // How far the corners of a polygon are above a plane, and whether any is
@@ -84,9 +92,9 @@ void clip(const Polygon& polygon, const Heights& heights, SideName side,
     // Leaving, go on along the plane; coming back, along the same side as before
     if ((h <= 0) != (next_h <= 0)) {
       const Vec3 crossing = from.point + (h / (h - next_h)) * (to.point - from.point);
-      result.add({crossing, h <= 0 ? side : from.side});
+      result.add(crossing, h <= 0 ? side : from.side);
     }
-    if (next_h <= 0) result.add(to);
+    if (next_h <= 0) result.add(to.point, to.side);
   }
 }
 
@@ -123,8 +131,8 @@ void add_chords(const SupportingFace& reference, SideName reference_body,
     const Corner &corner = shared->at(i), &before = shared->at(i + shared->count - 1);
     const Real depth = glm::dot(down, corner.point - reference.corners[0]);
     if (depth >= -margin - slack)
-      found.add({corner.point + depth / 2 * across, depth,
-                 feature(corner.side, before.side)});
+      found.add(corner.point + depth / 2 * across, depth,
+                feature(corner.side, before.side));
   }
 }
 
@@ -287,7 +295,8 @@ SupportingFace supporting_face(const Shape& shape, const Pose& pose,
 
 Manifold contact_manifold(const SupportingFace& a, const SupportingFace& b,
                           const Separation& separation, Real margin) {
-  Manifold manifold{.normal = separation.normal, .points = {}};
+  Manifold manifold;
+  manifold.normal = separation.normal;
   const Real slack = 64 * k_u * reach(a, b);
   const Real depth = -separation.distance;
   if (depth < -margin - slack) return manifold;
@@ -298,7 +307,7 @@ Manifold contact_manifold(const SupportingFace& a, const SupportingFace& b,
   Real deepest = -std::numeric_limits<Real>::infinity();
   for (const ContactPoint& p : found.all()) deepest = std::max(deepest, p.depth);
   if (deepest < depth - slack - k_near_depth * std::abs(depth))
-    found.add({(separation.on_a + separation.on_b) / Real(2), depth, 0});
+    found.add((separation.on_a + separation.on_b) / Real(2), depth, 0);
 
   if (found.count > 4) {
     keep_four(found.all(), slack, manifold);

@@ -22,10 +22,10 @@ struct ContactPoint {
   std::uint64_t feature;
 };
 
-/// All contact points of a pair.
+/// All contact points of a pair: as many of `points` as `count` says.
 struct Manifold {
   Vec3 normal{0, 0, 1};  ///< of length one, from A to B
-  std::array<ContactPoint, 4> points{};
+  std::array<ContactPoint, 4> points;
   int count = 0;
 };
 
@@ -102,7 +102,8 @@ Manifold contact_manifold(const A& a, const Pose& pose_a, const B& b,
   Manifold manifold =
       contact_manifold(supporting_face(a, turned_a, s.normal),
                        supporting_face(b, beside_b, -s.normal), s, margin);
-  for (ContactPoint& point : manifold.points) point.position += at;
+  for (std::size_t i = 0; i < std::size_t(manifold.count); ++i)
+    manifold.points[i].position += at;
   return manifold;
 }
 

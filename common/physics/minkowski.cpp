@@ -37,12 +37,19 @@ Vec3 difference_at(const MinkowskiDifference& difference, const Vec3& a,
 
 SupportPoint support(const MinkowskiDifference& difference, const Vec3& direction,
                      const SupportPoint& near) {
+  SupportPoint point;
+  find_support(difference, direction, near, point);
+  return point;
+}
+
+void find_support(const MinkowskiDifference& difference, const Vec3& direction,
+                  const SupportPoint& near, SupportPoint& point) {
   const MinkowskiDifference& d = difference;
-  SupportPoint p = near;
-  p.a = d.a.core_support(d.a.shape, direction, p.vertex_a);
-  p.b = d.b.core_support(d.b.shape, -direction * d.a_from_b, p.vertex_b);
-  p.w = difference_at(d, p.a, p.b);
-  return p;
+  point.vertex_a = near.vertex_a;
+  point.vertex_b = near.vertex_b;
+  point.a = d.a.core_support(d.a.shape, direction, point.vertex_a);
+  point.b = d.b.core_support(d.b.shape, -direction * d.a_from_b, point.vertex_b);
+  point.w = difference_at(d, point.a, point.b);
 }
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

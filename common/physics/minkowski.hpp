@@ -46,4 +46,8 @@ Vec3 difference_at(const MinkowskiDifference& difference, const Vec3& a, const V
 SupportPoint support(const MinkowskiDifference& difference, const Vec3& direction,
                      const SupportPoint& near = {});
 
+/// The same in place: next to what is read of it at once, a copy would have to wait.
+void find_support(const MinkowskiDifference& difference, const Vec3& direction,
+                  const SupportPoint& near, SupportPoint& point);
+
 }  // namespace timestep::inline TIMESTEP_PRECISION

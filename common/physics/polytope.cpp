@@ -20,18 +20,18 @@ Index add_vertex(Polytope& polytope, const SupportPoint& point) {
 }
 
 // Without neighbours yet. One without area is behind every point and never the closest
-PolytopeFace make_face(const Polytope& polytope, Index i, Index j, Index k) {
+void make_face(Polytope& polytope, Index slot, Index i, Index j, Index k) {
   const Vec3& p = polytope.vertices[std::size_t(i)].w;
   const Vec3& q = polytope.vertices[std::size_t(j)].w;
   const Vec3& r = polytope.vertices[std::size_t(k)].w;
   const Vec3 n = area_normal(p, q, r);
   const Real size = glm::length(n);
-  PolytopeFace face{{i, j, k}, {}, false, !(size > 0), Vec3(0), 0};
-  if (!face.final) {
-    face.normal = n * (1 / size);
-    face.offset = glm::dot(face.normal, p);
-  }
-  return face;
+  PolytopeFace& face = face_at(polytope, slot);
+  face.vertices = {i, j, k};
+  face.visible = false;
+  face.final = !(size > 0);
+  face.normal = face.final ? Vec3(0) : n * (1 / size);
+  face.offset = glm::dot(face.normal, p);
 }
 
 // An edge between a face that the new vertex sees and one that it does not
@@ -100,9 +100,8 @@ void close(Polytope& polytope, const Horizon& horizon, Index vertex) {
   for (int i = 0; i < n; ++i) {
     const HorizonEdge& edge = horizon.edges[std::size_t(i)];
     const Index slot = slots[std::size_t(i)];
-    PolytopeFace& face = face_at(polytope, slot);
-    face = make_face(polytope, edge.from, edge.to, vertex);
-    face.neighbours = {edge.beyond, slots[std::size_t((i + 1) % n)],
+    make_face(polytope, slot, edge.from, edge.to, vertex);
+    face_at(polytope, slot).neighbours = {edge.beyond, slots[std::size_t((i + 1) % n)],
                        slots[std::size_t((i + n - 1) % n)]};
     connect(face_at(polytope, edge.beyond), edge.to, slot);
   }
@@ -117,10 +116,10 @@ void make_tetrahedron(Polytope& polytope, const std::array<SupportPoint, 4>& poi
   const Vec3 n = area_normal(p, points[1].w, points[2].w);
   if (glm::dot(n, points[3].w - p) > 0)
     std::swap(polytope.vertices[0], polytope.vertices[1]);
-  polytope.faces[0] = make_face(polytope, 0, 1, 2);
-  polytope.faces[1] = make_face(polytope, 0, 3, 1);
-  polytope.faces[2] = make_face(polytope, 1, 3, 2);
-  polytope.faces[3] = make_face(polytope, 2, 3, 0);
+  make_face(polytope, 0, 0, 1, 2);
+  make_face(polytope, 1, 0, 3, 1);
+  make_face(polytope, 2, 1, 3, 2);
+  make_face(polytope, 3, 2, 3, 0);
 
   // Beyond the edges from each face's first, second and third vertex
   polytope.faces[0].neighbours = {1, 2, 3};

@@ -39,6 +39,16 @@ struct Axis {
   Index on_a = 0, on_b = 0;
 };
 
+// In place: a copy of what was just written would wait for it
+void set(Axis& axis, Real separation, const Vec3& normal, SatFeature feature, Index on_a,
+         Index on_b) {
+  axis.separation = separation;
+  axis.normal = normal;
+  axis.feature = feature;
+  axis.on_a = on_a;
+  axis.on_b = on_b;
+}
+
 // What edges must be better than: rounding makes them no better than a face
 Real to_beat(const Axis& best, Real error) {
   return best.feature == SatFeature::edges ? best.separation : best.separation + error;
@@ -54,20 +64,19 @@ Vec3 next_to(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e) {
 }
 
 // With the witness point of one shape; that of the other is across the separation
-SatResult in_world(const Axis& axis, const Vec3& point, const Pose& pose_a,
-                   SatResult counts) {
-  const bool is_on_b = axis.feature == SatFeature::face_of_a;
-  const Vec3 across = axis.separation * axis.normal;
-  Separation& s = counts.separation;
+void set_in_world(const Axis& axis, const Vec3& point, const Pose& pose_a,
+                  SatResult& result) {
+  Separation& s = result.separation;
   s.distance = axis.separation;
   s.normal = direction_in_world(pose_a, axis.normal);
-  s.on_a = point_in_world(pose_a, is_on_b ? point - across : point);
-  s.on_b = point_in_world(pose_a, is_on_b ? point : point + across);
-  s.iterations = counts.axes;
-  counts.feature = axis.feature;
-  counts.on_a = axis.on_a;
-  counts.on_b = axis.on_b;
-  return counts;
+  const bool is_on_b = axis.feature == SatFeature::face_of_a;
+  const Vec3 across = axis.separation * axis.normal;
+  s.on_a = point_in_world(pose_a, point - (is_on_b ? across : Vec3(0)));
+  s.on_b = point_in_world(pose_a, point + (is_on_b ? Vec3(0) : across));
+  s.iterations = result.axes;
+  result.feature = axis.feature;
+  result.on_a = axis.on_a;
+  result.on_b = axis.on_b;
 }
 
 // --- Two boxes
@@ -97,12 +106,12 @@ void try_faces(const BoxPair& pair, Axis& best) {
   const Vec3 along_b = sizes(t * R) - pair.b - pair.a * pair.size;
   for (glm::length_t i = 0; i < 3; ++i) {
     if (along_a[i] <= best.separation) continue;
-    best = {along_a[i], Vec3(0), SatFeature::face_of_a, Index(i), 0};
+    set(best, along_a[i], Vec3(0), SatFeature::face_of_a, Index(i), 0);
     best.normal[i] = 1;
   }
   for (glm::length_t i = 0; i < 3; ++i)
     if (along_b[i] > best.separation)
-      best = {along_b[i], R[i], SatFeature::face_of_b, 0, Index(i)};
+      set(best, along_b[i], R[i], SatFeature::face_of_b, 0, Index(i));
 }
 
 // (4.23) The same across edge j of B and each edge of A, times the sine of their angle
@@ -129,7 +138,7 @@ void try_edge_pair(const BoxPair& pair, glm::length_t i, glm::length_t j, Real l
   const Vec3 L = across / sine;
   const Real s = std::abs(glm::dot(t, L)) - glm::dot(pair.a, sizes(L))
                  - glm::dot(pair.b, sizes(L * R));
-  if (s > least) best = {s, L, SatFeature::edges, Index(i), Index(j)};
+  if (s > least) set(best, s, L, SatFeature::edges, Index(i), Index(j));
 }
 
 void try_edges(const BoxPair& pair, Real error, Axis& best) {
@@ -244,7 +253,7 @@ void try_pair(const HullPair& pair, Index e, Index f, const Edge& a, const Edge&
   if (glm::dot(n, b.from - a.from) <= least) return;
   const Real s = separation_along(pair, n, pair.a.half_edges[e].origin,
                                   pair.b.half_edges[f].origin);
-  if (s > least) best = {s, n, SatFeature::edges, e, f};
+  if (s > least) set(best, s, n, SatFeature::edges, e, f);
 }
 
 void try_edges(const HullPair& pair, Real error, SatResult& result, Axis& best) {
@@ -271,7 +280,9 @@ Placement inverse(const Placement& p) {
 SatResult sat(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
   const BoxPair pair = box_pair(a, pose_a, b, pose_b);
   const Vec3& t = pair.b_in_a.t;
-  SatResult result{.separation = {}, .axes = 15, .edge_pairs = 9};
+  SatResult result;
+  result.axes = 15;
+  result.edge_pairs = 9;
   result.separation.error =
       projection_error(glm::length(pair.a), glm::length(pair.b), t);
 
@@ -282,7 +293,8 @@ SatResult sat(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b
 
   // A box is the same both ways: the normal goes to B's side
   if (glm::dot(t, best.normal) < 0) best.normal = -best.normal;
-  return in_world(best, witness(pair, best), pose_a, result);
+  set_in_world(best, witness(pair, best), pose_a, result);
+  return result;
 }
 
 SatResult sat(const ConvexHull& a, const Pose& pose_a, const ConvexHull& b,
@@ -312,7 +324,8 @@ SatResult sat(const ConvexHull& a, const Pose& pose_a, const ConvexHull& b,
                on_b = placed(edge(b, best.on_b), pair.b_in_a);
     point = next_to(on_a.from, on_a.along, on_b.from, on_b.along);
   }
-  return in_world(best, point, pose_a, result);
+  set_in_world(best, point, pose_a, result);
+  return result;
 }
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace timestep::inline TIMESTEP_PRECISION {
@@ -19,41 +20,54 @@ Vec3 without(const Vec3& v, const Vec3& edge) {
   return v - (glm::dot(v, edge) / squared(edge)) * edge;
 }
 
+// From the two shorter edges, of which less cancels
+Vec3 wide_area_normal(const Vec3& p, const Vec3& q, const Vec3& r) {
+  const WideVec3 pq = WideVec3(q) - WideVec3(p), qr = WideVec3(r) - WideVec3(q);
+  const WideVec3 rp = WideVec3(p) - WideVec3(r);
+  const Wide pq2 = glm::dot(pq, pq), qr2 = glm::dot(qr, qr), rp2 = glm::dot(rp, rp);
+  if (qr2 >= pq2 && qr2 >= rp2) return Vec3(glm::cross(rp, pq));
+  return Vec3(rp2 >= pq2 ? glm::cross(pq, qr) : glm::cross(qr, rp));
+}
+
 using Index = std::size_t;
 using Vertices = std::array<SupportPoint, 4>;
 
-// The closest point of a part of the simplex; the weights of the other vertices are 0
-struct Closest {
-  Vec3 point;
-  std::array<Real, 4> weights{};
+// The closest point of all parts of a simplex that were tried, and how far it is
+struct Search {
+  const Vertices& vertices;
+  ClosestPoint& best;
+  Real least = std::numeric_limits<Real>::infinity();  // squared
 };
 
-Closest nearer(const Closest& a, const Closest& b) {
-  return squared(b.point) < squared(a.point) ? b : a;
+// Whether a point is closer than those before; then its weights are for the caller
+bool takes(Search& search, const Vec3& point) {
+  const Real distance = squared(point);
+  if (!(distance < search.least)) return false;
+  search.least = distance;
+  search.best.point = point;
+  search.best.weights = {};
+  return true;
 }
 
-Closest closest_on_point(const Vertices& vertices, Index i) {
-  Closest closest{vertices[i].w};
-  closest.weights[i] = 1;
-  return closest;
+void try_point(Search& search, Index i) {
+  if (takes(search, search.vertices[i].w)) search.best.weights[i] = 1;
 }
 
-Closest closest_on_segment(const Vertices& vertices, Index i, Index j) {
-  const Vec3 &p = vertices[i].w, &q = vertices[j].w;
+void try_segment(Search& search, Index i, Index j) {
+  const Vec3 &p = search.vertices[i].w, &q = search.vertices[j].w;
   const Vec3 e = q - p;
 
   // Lengths from the foot of the perpendicular to either end, times |e|
   const Real from_p = -glm::dot(p, e), to_q = glm::dot(q, e);
-  if (!(from_p > 0)) return closest_on_point(vertices, i);
-  if (!(to_q > 0)) return closest_on_point(vertices, j);
+  if (!(from_p > 0)) return try_point(search, i);
+  if (!(to_q > 0)) return try_point(search, j);
   const Real t = from_p / (from_p + to_q);
 
   // From the nearer end
   const Vec3 foot = t < Real(0.5) ? p + t * e : q - (1 - t) * e;
-  Closest closest{without(foot, e)};
-  closest.weights[i] = 1 - t;
-  closest.weights[j] = t;
-  return closest;
+  if (!takes(search, without(foot, e))) return;
+  search.best.weights[i] = 1 - t;
+  search.best.weights[j] = t;
 }
 
 // From the vertex nearest to the origin
@@ -63,8 +77,9 @@ Vec3 foot_on_plane(const Vec3& n, const Vec3& p, const Vec3& q, const Vec3& r) {
   return n * (glm::dot(n, nearest) / squared(n));
 }
 
-Closest closest_on_triangle(const Vertices& vertices, Index i, Index j, Index k) {
-  const Vec3 &p = vertices[i].w, &q = vertices[j].w, &r = vertices[k].w;
+void try_triangle(Search& search, Index i, Index j, Index k) {
+  const Vec3 &p = search.vertices[i].w, &q = search.vertices[j].w;
+  const Vec3& r = search.vertices[k].w;
   const Vec3 n = area_normal(p, q, r);
   const Vec3 foot = foot_on_plane(n, p, q, r);
 
@@ -74,49 +89,49 @@ Closest closest_on_triangle(const Vertices& vertices, Index i, Index j, Index k)
   const Real area_q = glm::dot(n, glm::cross(fr, fp));
   const Real area_r = glm::dot(n, glm::cross(fp, fq));
   if (!(area_p > 0) || !(area_q > 0) || !(area_r > 0)) {
-    Closest best = closest_on_point(vertices, i);
-    if (!(area_p > 0)) best = nearer(best, closest_on_segment(vertices, j, k));
-    if (!(area_q > 0)) best = nearer(best, closest_on_segment(vertices, k, i));
-    if (!(area_r > 0)) best = nearer(best, closest_on_segment(vertices, i, j));
-    return best;
+    try_point(search, i);
+    if (!(area_p > 0)) try_segment(search, j, k);
+    if (!(area_q > 0)) try_segment(search, k, i);
+    if (!(area_r > 0)) try_segment(search, i, j);
+    return;
   }
-  Closest closest{foot};
   const Real whole = area_p + area_q + area_r;
-  closest.weights[i] = area_p / whole;
-  closest.weights[j] = area_q / whole;
-  closest.weights[k] = area_r / whole;
+  Real weight_p = area_p / whole, weight_q = area_q / whole, weight_r = area_r / whole;
 
   // The foot keeps its direction where it is next to the origin, but loses its length
   // where the triangle is a sliver; the weighted sum is in the triangle whatever
   // happens. What is wrong with that one is along the triangle: on to where it is
   // closest to the origin
-  const Vec3 sum =
-      closest.weights[i] * p + closest.weights[j] * q + closest.weights[k] * r;
+  Vec3 point = foot;
+  const Vec3 sum = weight_p * p + weight_q * q + weight_r * r;
   if (squared(sum - foot) > k_rounding * k_rounding / 64) {
-    const Index end = squared(q - p) > squared(r - p) ? j : k;
-    const Vec3 e = vertices[end].w - p;
-    const Real step = std::clamp(-glm::dot(sum, e) / squared(e), -closest.weights[end],
-                                 closest.weights[i]);
-    closest.weights[i] -= step;
-    closest.weights[end] += step;
-    closest.point = sum + step * e;
+    const bool is_to_q = squared(q - p) > squared(r - p);
+    Real& weight_end = is_to_q ? weight_q : weight_r;
+    const Vec3 e = (is_to_q ? q : r) - p;
+    const Real step =
+        std::clamp(-glm::dot(sum, e) / squared(e), -weight_end, weight_p);
+    weight_p -= step;
+    weight_end += step;
+    point = sum + step * e;
   }
-  return closest;
+  if (!takes(search, point)) return;
+  search.best.weights[i] = weight_p;
+  search.best.weights[j] = weight_q;
+  search.best.weights[k] = weight_r;
 }
 
-// On the faces opposite to the vertices that are marked
-Closest closest_on_faces(const Vertices& vertices, const std::array<bool, 4>& marked) {
-  Closest best = closest_on_point(vertices, 0);
-  if (marked[0]) best = nearer(best, closest_on_triangle(vertices, 1, 2, 3));
-  if (marked[1]) best = nearer(best, closest_on_triangle(vertices, 0, 2, 3));
-  if (marked[2]) best = nearer(best, closest_on_triangle(vertices, 0, 1, 3));
-  if (marked[3]) best = nearer(best, closest_on_triangle(vertices, 0, 1, 2));
-  return best;
+// The faces opposite to the vertices that are marked
+void try_faces(Search& search, const std::array<bool, 4>& marked) {
+  try_point(search, 0);
+  if (marked[0]) try_triangle(search, 1, 2, 3);
+  if (marked[1]) try_triangle(search, 0, 2, 3);
+  if (marked[2]) try_triangle(search, 0, 1, 3);
+  if (marked[3]) try_triangle(search, 0, 1, 2);
 }
 
-Closest closest_on_tetrahedron(const Vertices& vertices) {
-  const Vec3 &p = vertices[0].w, &q = vertices[1].w;
-  const Vec3 &r = vertices[2].w, &t = vertices[3].w;
+void try_tetrahedron(Search& search) {
+  const Vec3 &p = search.vertices[0].w, &q = search.vertices[1].w;
+  const Vec3 &r = search.vertices[2].w, &t = search.vertices[3].w;
 
   // Signed volumes opposite to the vertices, times 6, against that of the whole. Where
   // rounding of a vertex may turn that one inside out, the tetrahedron is flat, and
@@ -125,56 +140,69 @@ Closest closest_on_tetrahedron(const Vertices& vertices) {
   const Real whole = glm::dot(pq, glm::cross(pr, pt));
   const Real a = glm::length(pq), b = glm::length(pr), c = glm::length(pt);
   if (!(std::abs(whole) > k_rounding * (a * b + b * c + c * a)))
-    return closest_on_faces(vertices, {true, true, true, true});
+    return try_faces(search, {true, true, true, true});
   const Vec3 q_r = glm::cross(q, r), t_p = glm::cross(t, p);
   const std::array volumes{glm::dot(q_r, t) / whole, -glm::dot(t_p, r) / whole,
                            glm::dot(t_p, q) / whole, -glm::dot(q_r, p) / whole};
   const std::array outside{!(volumes[0] > 0), !(volumes[1] > 0), !(volumes[2] > 0),
                            !(volumes[3] > 0)};
   if (outside[0] || outside[1] || outside[2] || outside[3])
-    return closest_on_faces(vertices, outside);
-  return {Vec3(0), volumes};
+    return try_faces(search, outside);
+  search.best.point = Vec3(0);
+  search.best.weights = volumes;
 }
 
-// Keeps the vertices that have weight
-void keep(Simplex& simplex, const Closest& closest) {
-  int kept = 0;
-  for (Index i = 0; i < Index(simplex.size); ++i) {
-    if (!(closest.weights[i] > 0)) continue;
-    simplex.vertices[Index(kept)] = simplex.vertices[i];
-    simplex.weights[Index(kept++)] = closest.weights[i];
-  }
-  simplex.size = kept;
+// The first vertex, if numbers that are not finite leave no other
+ClosestPoint first_vertex(const Simplex& simplex) {
+  return {simplex.vertices[0].w, {1, 0, 0, 0}};
 }
 
 }  // namespace
 
 Vec3 area_normal(const Vec3& p, const Vec3& q, const Vec3& r) {
   constexpr Real k_thin = Real(1) / 64;  // sine of the angle at p
-  const Vec3 e = q - p, f = r - p, n = glm::cross(e, f);
-  if (squared(n) > k_thin * k_thin * squared(e) * squared(f)) return n;
+  const Vec3 e = q - p, f = r - p;
+  Vec3 n = glm::cross(e, f);
+  if (!(squared(n) > k_thin * k_thin * squared(e) * squared(f)))
+    n = wide_area_normal(p, q, r);
+  return n;
+}
 
-  // From the two shorter edges, of which less cancels
-  const WideVec3 pq = WideVec3(q) - WideVec3(p), qr = WideVec3(r) - WideVec3(q);
-  const WideVec3 rp = WideVec3(p) - WideVec3(r);
-  const Wide pq2 = glm::dot(pq, pq), qr2 = glm::dot(qr, qr), rp2 = glm::dot(rp, rp);
-  if (qr2 >= pq2 && qr2 >= rp2) return Vec3(glm::cross(rp, pq));
-  return Vec3(rp2 >= pq2 ? glm::cross(pq, qr) : glm::cross(qr, rp));
+ClosestPoint closest_to_origin(const Simplex& simplex) {
+  ClosestPoint closest = first_vertex(simplex);
+  Search search{simplex.vertices, closest};
+  if (simplex.size == 2) try_segment(search, 0, 1);
+  if (simplex.size == 3) try_triangle(search, 0, 1, 2);
+  if (simplex.size == 4) try_tetrahedron(search);
+  return closest;
+}
+
+ClosestPoint closest_on_face(const Simplex& simplex) {
+  if (simplex.size < 4) return closest_to_origin(simplex);
+  ClosestPoint closest = first_vertex(simplex);
+  Search search{simplex.vertices, closest};
+  try_faces(search, {true, true, true, true});
+  return closest;
+}
+
+void keep(Simplex& simplex, const ClosestPoint& closest) {
+  Index kept = 0;
+  for (Index i = 0; i < Index(simplex.size); ++i) {
+    if (!(closest.weights[i] > 0)) continue;
+    if (kept < i) simplex.vertices[kept] = simplex.vertices[i];
+    simplex.weights[kept++] = closest.weights[i];
+  }
+  simplex.size = int(kept);
 }
 
 Vec3 reduce_to_closest(Simplex& simplex) {
-  const Vertices& v = simplex.vertices;
-  const Closest closest = simplex.size == 1   ? closest_on_point(v, 0)
-                          : simplex.size == 2 ? closest_on_segment(v, 0, 1)
-                          : simplex.size == 3 ? closest_on_triangle(v, 0, 1, 2)
-                                              : closest_on_tetrahedron(v);
+  const ClosestPoint closest = closest_to_origin(simplex);
   keep(simplex, closest);
   return closest.point;
 }
 
 Vec3 reduce_to_closest_face(Simplex& simplex) {
-  if (simplex.size < 4) return reduce_to_closest(simplex);
-  const Closest closest = closest_on_faces(simplex.vertices, {true, true, true, true});
+  const ClosestPoint closest = closest_on_face(simplex);
   keep(simplex, closest);
   return closest.point;
 }

@@ -22,16 +22,33 @@ struct Simplex {
   int size = 0;
 };
 
-/// (4.13) Reduces a simplex to the vertex, edge or face that the point closest to the
-/// origin is on, sets its weights and returns that point. A tetrahedron around the
-/// origin stays whole, and the point is the origin.
+/// The point of a simplex that is closest to the origin: the sum of a weight each over
+/// the vertices, 0 for those that are not needed. All are positive where a tetrahedron
+/// holds the origin.
+struct ClosestPoint {
+  Vec3 point;
+  std::array<Real, 4> weights{};
+};
+
+/// (4.13) The closest point and its weights.
 ///
 /// Weights are ratios of lengths, areas or volumes, each with its sign; where one is
 /// not positive, the closest point is on a part without that vertex. Any vertices will
 /// do, coincident, collinear and coplanar ones as well.
-Vec3 reduce_to_closest(Simplex& simplex);
+ClosestPoint closest_to_origin(const Simplex& simplex);
 
 /// The same for a tetrahedron that is flat, up to rounding: on one of its faces.
+ClosestPoint closest_on_face(const Simplex& simplex);
+
+/// Keeps the vertices that have weight.
+void keep(Simplex& simplex, const ClosestPoint& closest);
+
+/// (4.13) Reduces a simplex to the vertex, edge or face that the point closest to the
+/// origin is on, sets its weights and returns that point. A tetrahedron around the
+/// origin stays whole, and the point is the origin.
+Vec3 reduce_to_closest(Simplex& simplex);
+
+/// The same of a flat tetrahedron.
 Vec3 reduce_to_closest_face(Simplex& simplex);
 
 /// The point of A or of B that the weights stand for, in its own frame [m].

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/physics/sleeping.hpp"
 #include "common/physics/solvers.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION {
@@ -39,10 +40,12 @@ struct World {
   const PenetrationMethod* out_of_penetration = find_penetration_method("ngs");
   const ImpactLaw* impact_law = find_impact_law("coupled_friction");
   Real margin = Real(0.01);  ///< [m] contacts are looked for up to this distance
+  SleepSettings sleep;
 
   // The last step's contacts, those of the step before, and room to work
   std::vector<PointContact> contacts, contacts_before;
   ContactSearch search;
+  Sleepers sleepers;
   SolverRoom room;
   PenetrationRoom penetration_room;
 };
@@ -58,7 +61,8 @@ BodyHandle add_body(World& world, const RigidBody& body,
                     std::span<const Collider> colliders);
 BodyHandle add_body(World& world, const RigidBody& body, const Collider& collider);
 
-/// Throws WorldError, as all below, for a body that is not there any more.
+/// Throws WorldError, as all below, for a body that is not there any more. All that
+/// sleep wake.
 void remove_body(World& world, BodyHandle handle);
 
 RigidBody& body_of(World& world, BodyHandle handle);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/graphics/input_error.hpp"
+#include "common/physics/exact_sliding.hpp"
 #include "common/physics/world.hpp"
 #include "tests/truth/inputs.hpp"
 
@@ -120,14 +121,15 @@ Json pgs_stack(const Json& inputs) {
 
   std::vector<double> impulses(n), velocities;
   for (const ContactRow& row : room.rows) impulses[row.a] = double(row.normal_impulse);
-  double weight = 0;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i)
     velocities.push_back(double(room.bodies[i + 1].velocity.y));
-    weight += double(masses[i]) * double(g * dt);
-  }
+  const std::vector<double> exact = exact::resting_impulses(
+      std::vector<double>(masses.begin(), masses.end()), double(g), double(dt));
   return {{"impulses", impulses},
           {"velocities", velocities},
-          {"floor_impulse_relative_error", impulses[0] / weight - 1}};
+          {"impulses_exact", exact},
+          {"floor_impulse_relative_error", impulses[0] / exact[0] - 1},
+          {"asymptotic_factor_equal_mass", exact::sweep_factor(int(n))}};
 }
 
 // --- The impact of two bodies
