@@ -222,10 +222,18 @@ class Tables:
             both = ns[ours] and ns[peer]
             return Cell((ns[ours] / ns[peer] if both else None,), ".2f")
 
+        def over_bullet(ours: str, peer: str) -> Cell:
+            both = [answer(tuple(method.replace("double", precision)
+                                 for method in ANSWERED_BY[ours])).values[0]
+                    for precision in PRECISIONS]
+            return Cell(tuple(each / ns[peer] if each and ns[peer] else None
+                              for each in both), ".2f")
+
         return row | {"warm / cold": over("the same, warm", "GJK and EPA"),
                       "GJK and EPA / libccd's": over("GJK and EPA", "libccd, EPA"),
-                      "GJK and EPA / Bullet's": over("GJK and EPA", "Bullet, GJK"),
-                      "SAT / Bullet's boxes": over("formula or SAT", "Bullet, boxes")}
+                      "GJK and EPA / Bullet's": over_bullet("GJK and EPA", "Bullet, GJK"),
+                      "SAT / Bullet's boxes": over_bullet("formula or SAT",
+                                                          "Bullet, boxes")}
 
     def growth(self, vertices: int) -> dict[str, Cell]:
         """What hulls of so many vertices take."""

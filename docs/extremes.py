@@ -74,6 +74,7 @@ def surprises(rows: list[dict], outcomes: list[list[Outcome]]) -> list[str]:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("chapter", help="such as 01-particles")
+    parser.add_argument("--method", help="only the rows that name this method")
     parser.add_argument("--bin", type=Path, default=ROOT / "build/release/bin")
     options = parser.parse_args()
     file = ROOT / "chapters" / options.chapter / "extremes.json"
@@ -82,7 +83,8 @@ def main() -> int:
         if not needed.is_file():
             print(f"extremes: there is no {needed}", file=sys.stderr)
             return 2
-    rows = json.loads(file.read_text(encoding="utf-8"))
+    rows = [row for row in json.loads(file.read_text(encoding="utf-8"))
+            if options.method is None or options.method in row["args"]]
 
     jobs = [(row, precision) for row in rows for precision in PRECISIONS]
     with ThreadPoolExecutor(2) as pool:

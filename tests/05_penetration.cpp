@@ -139,6 +139,30 @@ TEST_CASE("what is faster than the margin is found before it arrives") {
   CHECK(contacts[0].depth == Real(-0.5));
 }
 
+TEST_CASE("a contact has the impulse of the same feature, or of the nearest left") {
+  const auto point = [](std::uint64_t feature, Real x, Real impulse) {
+    PointContact c{};
+    c.collider_a = 1;
+    c.collider_b = 2;
+    c.feature = feature;
+    c.position = {x, 0, 0};
+    c.impulse = {0, impulse, 0};
+    return c;
+  };
+  const std::vector before{point(7, 0, 1), point(8, 1, 2), point(9, 2, 3)};
+  std::vector now{point(8, Real(0.001), 0), point(5, Real(0.002), 0),
+                  point(6, Real(0.003), 0), point(4, Real(2.2), 0)};
+  auto other = point(7, 0, 0);
+  other.collider_b = 3;
+  now.push_back(other);
+  carry_impulses(before, Real(0.01), now);
+  CHECK(now[0].impulse.y == 2);  // as it is named, wherever it is
+  CHECK(now[1].impulse.y == 1);  // the nearest
+  CHECK(now[2].impulse.y == 0);  // that is taken
+  CHECK(now[3].impulse.y == 0);  // too far away
+  CHECK(now[4].impulse.y == 0);  // another pair
+}
+
 TEST_CASE("Formula 4 shares a penetration by mass") {
   Pair pair;
   const auto before = pair.bodies;

@@ -98,6 +98,7 @@ class BenchTableTest(unittest.TestCase):
         self.measured["medians"] |= {
             "contacts/box_box/depth/sat/double": {"ns": 200.0, "wrong": 0},
             "contacts/box_box/depth/Bullet_boxes/single": {"ns": 160.0, "wrong": 22},
+            "contacts/box_box/depth/sat/single": {"ns": 120.0, "wrong": 0},
             "contacts/sphere_box/distance/gjk_epa/double": {"ns": 400.0, "wrong": 0},
             "contacts/sphere_box/distance/gjk_epa_warm/double": {"ns": 100.0},
             "contacts/sphere_box/distance/Bullet/double": {"ns": 1600.0, "wrong": 1}}
@@ -107,11 +108,11 @@ class BenchTableTest(unittest.TestCase):
         self.assertEqual(row["GJK and EPA"], "400")
         self.assertEqual(row["warm / cold"], "0.25")
         self.assertEqual(row["Bullet, GJK"], "1,600 (1)")
-        self.assertEqual(row["GJK and EPA / Bullet's"], "0.25")
+        self.assertEqual(row["GJK and EPA / Bullet's"], "– / 0.25")
         self.assertEqual(row["FCL"], "–")
         row = self.row("contacts", 1)
         self.assertEqual(row["Bullet, boxes"], "160 (22)")
-        self.assertEqual(row["SAT / Bullet's boxes"], "1.25")
+        self.assertEqual(row["SAT / Bullet's boxes"], "0.75 / 1.25")
         text = bench_table.comma_separated(self.tables.rows("contacts"))
         self.assertIn('"Bullet, boxes, wrong"', text.splitlines()[0])
 

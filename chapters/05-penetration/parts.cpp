@@ -215,6 +215,8 @@ void OverlapRun::draw_shape(DrawList& list, const Moving& moving) const {
 }
 
 void OverlapRun::draw(DrawList& list) const {
+  list.markers.push_back(
+      {.position = picture({origin(), 0, 0}) + lanes_.mark, .style = style()});
   for (const Moving& moving : moving_) {
     draw_shape(list, moving);
     const RigidBody& body = overlap_.bodies[moving.body];

@@ -32,6 +32,7 @@ class Billiards : public WorldRun {
   void after_step() override;
   std::vector<Metric> own_metrics() const override;
   double asymmetry() const;
+  double balls_off() const;
 
   BodyHandle cue_{};
   // Those that start as mirror images; a ball on the line is its own
@@ -40,7 +41,7 @@ class Billiards : public WorldRun {
 };
 
 Billiards::Billiards(const Setup& setup)
-    : WorldRun(setup, {.lanes_apart = {0, 0, -2.0F}}) {
+    : WorldRun(setup, {.lanes_apart = {0, 0, -2.0F}, .trails = true}) {
   add_table();
   cue_ = add_ball("cue ball", {-k_length / 4, parameter("aside")}, k_paper);
   body_of(world(), cue_).velocity.x = Real(parameter("speed"));
@@ -51,7 +52,9 @@ Billiards::Billiards(const Setup& setup)
 // The cloth and four cushions. Friction at a contact is the geometric mean of both
 void Billiards::add_table() {
   const double mu = parameter("friction");
-  add("cloth", RigidBody{}, floor_collider(mu, 0), k_cloth);
+  Collider cloth = floor_collider(mu, 0);
+  cloth.rolling_friction = Real(parameter("rolling"));
+  add("cloth", RigidBody{}, cloth, k_cloth);
   for (const double side : {-1.0, 1.0}) {
     const glm::dvec3 along(k_length + 4 * k_radius, 2 * k_rail, k_rail);
     const glm::dvec3 across(k_rail, 2 * k_rail, k_width);
@@ -99,6 +102,18 @@ double Billiards::asymmetry() const {
   return most;
 }
 
+// How many balls are neither on the cloth nor above it
+double Billiards::balls_off() const {
+  int count = 0;
+  for (const RigidBody& body : world().bodies) {
+    if (body.inverse_mass == 0) continue;
+    const glm::dvec3 at = place(body);
+    if (std::abs(at.x) > k_length / 2 || std::abs(at.z) > k_width / 2 || at.y < 0)
+      ++count;
+  }
+  return count;
+}
+
 void Billiards::after_step() {
   if (steps() == 0) energy_ = kinetic_energy_of(world());
   worst_asymmetry_ = std::max(worst_asymmetry_, asymmetry());
@@ -107,6 +122,7 @@ void Billiards::after_step() {
 std::vector<Metric> Billiards::own_metrics() const {
   return {{"asymmetry", "m", asymmetry()},
           {"asymmetry_max", "m", worst_asymmetry_},
+          {"balls_off", "", balls_off()},
           {"energy_left", "", kinetic_energy_of(world()) / energy_},
           {"momentum_along", "kg m/s", momentum_of(world()).x},
           {"momentum_across", "kg m/s", momentum_of(world()).z}};
@@ -137,6 +153,7 @@ Scene billiards_scene() {
            {"speed", "m/s", "of the cue ball", 5, 0.01, 100},
            {"aside", "m", "of the cue ball, off the rack's middle", 0, -0.5, 0.5},
            {"friction", "", "of balls, cloth and cushions", 0.2, 0, 100},
+           {"rolling", "m", "rolling friction of the cloth", 3e-4, 0, 0.01},
            {"restitution", "", "of the balls, and at the cushions", 0.95, 0, 1}}),
       .dt = 1.0 / 240,
       .duration = 2,

@@ -104,9 +104,11 @@ void Bounce::draw_reference(DrawList& list) const {
     rebounds.push_back(at(ball, exact::apex_height(ball.exact, 1)));
     const double now = exact::bouncing_ball(ball.exact, time()).x;
     list.markers.push_back(
-        {.position = at(ball, now), .style = reference_style(), .size = 16});
-    list.labels.push_back(
-        {at(ball, -1.4 * radius_), fmt::format("e = {:.2g}", ball.exact.e), k_ink});
+        {.position = at(ball, now) + glm::vec3(0, 0, 1.05F * scale * float(radius_)),
+         .style = reference_style(),
+         .size = 16});
+    list.labels.push_back({at(ball, -2.2 * radius_) - glm::vec3(0.08F, 0, 0),
+                           fmt::format("e = {:.2g}", ball.exact.e), k_ink});
   }
   list.lines.push_back({.points = starts, .color = k_muted, .dash = Dash::dotted});
   list.lines.push_back({.points = rebounds, .color = k_muted, .dash = Dash::dashed});

@@ -48,7 +48,7 @@ Scene mass_ratio_scene() {
           {{"ratio", "", "of the upper box's mass to the lower's", 100, 1e-6, 1e9}}),
       .dt = 1.0 / 60,
       .duration = 10,
-      .camera = {.target = {0, 1, 0}, .distance = 4.2F, .yaw = 0.5F, .pitch = 0.15F},
+      .camera = {.target = {0, 1, 0}, .distance = 3.7F, .yaw = 0.5F, .pitch = 0.15F},
       .chart_metric = "sunk",
       .start = [](const Setup& setup) { return std::make_unique<MassRatio>(setup); },
   };

@@ -24,6 +24,7 @@ Scene stack_scene();
 Scene pyramid_scene();
 Scene pile_scene();
 Scene mass_ratio_scene();
+Scene thin_wall_scene();
 
 /// Every solver, as a scene offers it.
 std::vector<Method> all_choices();

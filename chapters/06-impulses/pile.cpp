@@ -71,8 +71,8 @@ std::vector<Metric> Pile::own_metrics() const {
 CameraPose Pile::camera(const CameraPose& usual) const {
   CameraPose pose = WorldRun::camera(usual);
   const float side = static_cast<float>(side_);
-  pose.target.y = 0.6F * side;
-  pose.distance += 4 * side;
+  pose.target.y = 0.55F * side;
+  pose.distance += 2.8F * side;
   return pose;
 }
 

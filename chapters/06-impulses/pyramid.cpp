@@ -25,8 +25,8 @@ Pyramid::Pyramid(const Setup& setup) : Standing(setup) {
 CameraPose Pyramid::camera(const CameraPose& usual) const {
   CameraPose pose = WorldRun::camera(usual);
   const float base = static_cast<float>(parameter("base"));
-  pose.target.y = 0.44F * base;
-  pose.distance += 1.75F * base;
+  pose.target.y = 0.46F * base;
+  pose.distance += 1.3F * base;
   return pose;
 }
 

@@ -20,7 +20,6 @@ const glm::dvec3 k_size(0.6, 0.15, 0.6);
 class Ramp : public WorldRun {
  public:
   explicit Ramp(const Setup& setup);
-  void draw(DrawList& list) const override;
   void draw_reference(DrawList& list) const override;
   CameraPose camera(const CameraPose& usual) const override;
 
@@ -107,22 +106,12 @@ std::vector<Metric> Ramp::own_metrics() const {
   };
 }
 
-void Ramp::draw(DrawList& list) const {
-  WorldRun::draw(list);
-  const RigidBody& block = body_of(world(), block_);
-  const glm::vec3 at = picture(place(block));
-  const float weight = 0.08F * static_cast<float>(parameter("gravity"));
-  list.arrows.push_back(
-      {.from = at, .to = at - glm::vec3(0, weight, 0), .color = k_ink});
-  list.labels.push_back({at - glm::vec3(0, weight, 0), "weight", k_ink});
-}
-
 void Ramp::draw_reference(DrawList& list) const {
-  constexpr float k_thick = 0.06F, k_long = 3.2F, k_wide = 1.7F;
+  constexpr float k_thick = 0.06F, k_long = 2.2F, k_wide = 1.2F;
   const glm::mat4 turned =
       glm::rotate(glm::mat4(1), -static_cast<float>(angle_), glm::vec3(0, 0, 1));
   const glm::mat4 slab =
-      glm::scale(glm::translate(turned, glm::vec3(k_long - 0.6F, -k_thick, 0)),
+      glm::scale(glm::translate(turned, glm::vec3(k_long - 0.7F, -k_thick, 0)),
                  glm::vec3(k_long, k_thick, k_wide));
   list.shapes.push_back({ShapeKind::box, slab, k_body});
 
@@ -136,7 +125,7 @@ void Ramp::draw_reference(DrawList& list) const {
 // On the middle of the slab
 CameraPose Ramp::camera(const CameraPose& usual) const {
   CameraPose pose = WorldRun::camera(usual);
-  pose.target = glm::vec3(in_world({2.3, 0}));
+  pose.target = glm::vec3(in_world({1.4, 0.2}));
   return pose;
 }
 
@@ -161,7 +150,7 @@ Scene ramp_scene() {
                    {{"angle", 0}, {"speed", 5}, {"direction", 0.5}}}},
       .dt = 1.0 / 60,
       .duration = 1.8,
-      .camera = {.distance = 6.4F, .yaw = 0.35F, .pitch = 0.3F},
+      .camera = {.distance = 4.3F, .yaw = 0.35F, .pitch = 0.3F},
       .chart_metric = "way_error",
       .start = [](const Setup& setup) { return std::make_unique<Ramp>(setup); },
   };

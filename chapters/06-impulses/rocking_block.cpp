@@ -122,13 +122,13 @@ std::vector<Metric> Rocking::own_metrics() const {
   };
 }
 
-// How far it should tilt by now, to either side
+// How far it should tilt by now, to either side: along its front
 void Rocking::draw_reference(DrawList& list) const {
   const double alpha = exact::block_angle(block()), most = exact_tilt(impacts_);
   const double diagonal = std::hypot(parameter("width"), parameter("height"));
   for (const int side : {-1, 1}) {
     const double angle = most - alpha;
-    const glm::dvec3 corner(side * parameter("width") / 2, 0, 0);
+    const glm::dvec3 corner(side * parameter("width") / 2, 0, parameter("height") / 4);
     const glm::dvec3 to =
         corner + diagonal * glm::dvec3(side * std::sin(angle), std::cos(angle), 0);
     list.lines.push_back({.points = {picture(corner), picture(to)},
@@ -155,7 +155,7 @@ Scene rocking_block_scene() {
       .dt = 1.0 / 240,
       .duration = 3,
       .camera = {.target = {0.05F, 0.55F, 0},
-                 .distance = 2.5F,
+                 .distance = 2.1F,
                  .yaw = 0.2F,
                  .pitch = 0.12F},
       .chart_metric = "tilt",

@@ -38,7 +38,7 @@ glm::dvec3 in_scene(const glm::dvec3& v) {
 // The ball is 0.2 m in radius in the picture
 SlideToRoll::SlideToRoll(const Setup& setup)
     : WorldRun(setup, {.scale = 0.2F / float(setup.parameters.at("radius")),
-                       .force = 0.1F / float(setup.parameters.at("gravity")),
+                       .force = 0.2F / float(setup.parameters.at("gravity")),
                        .trails = true,
                        .rings = true}) {
   const double mu = parameter("friction"), radius = parameter("radius");
@@ -81,9 +81,9 @@ void SlideToRoll::after_step() {
   const double error = glm::distance(v, in_scene(exact_now().v));
   velocity_error_max_ = std::max(velocity_error_max_, error);
 
-  // Rolling is a slip that no longer counts: a millionth of that at the start
+  // Rolling is a slip that no longer counts: a thousandth of that at the start
   const double at_start = glm::length(exact::slip(exact_ball(), exact_start()));
-  if (rolls_ || slip() > 1e-6 * at_start) return;
+  if (rolls_ || slip() > 1e-3 * at_start) return;
   rolls_ = true;
   rolling_time_ = time();
 }
@@ -106,8 +106,8 @@ std::vector<Metric> SlideToRoll::own_metrics() const {
 }
 
 void SlideToRoll::draw_reference(DrawList& list) const {
-  const glm::dvec3 radius(0, parameter("radius"), 0);
-  const glm::vec3 at = picture(in_scene(exact_now().x) + radius);
+  const glm::dvec3 top(0, 2 * parameter("radius"), 0);
+  const glm::vec3 at = picture(in_scene(exact_now().x) + top);
   list.markers.push_back({.position = at, .style = reference_style(), .size = 16});
   list.legend.push_back({reference_style(), "exact"});
 }
@@ -129,8 +129,8 @@ Scene slide_to_roll_scene() {
       .presets = {{"draw", "made for this chapter", {{"topspin", -40}}}},
       .dt = 1.0 / 60,
       .duration = 1,
-      .camera = {.target = {0.75F, 0.2F, 0},
-                 .distance = 2.6F,
+      .camera = {.target = {0.8F, 0.25F, 0},
+                 .distance = 2.1F,
                  .yaw = 0.15F,
                  .pitch = 0.2F},
       .chart_metric = "slip",

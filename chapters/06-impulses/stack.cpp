@@ -26,7 +26,7 @@ CameraPose Stack::camera(const CameraPose& usual) const {
   CameraPose pose = WorldRun::camera(usual);
   const float high = static_cast<float>(parameter("n"));
   pose.target.y = 0.48F * high;
-  pose.distance += 1.7F * high;
+  pose.distance += 1.3F * high;
   return pose;
 }
 

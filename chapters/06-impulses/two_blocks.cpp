@@ -39,8 +39,9 @@ class TwoBlocks : public WorldRun {
 };
 
 TwoBlocks::TwoBlocks(const Setup& setup)
-    : WorldRun(setup, {.lanes_apart = {0, 0, -2.5F},
+    : WorldRun(setup, {.lanes_apart = {4, 0, 0},
                        .force = 0.06F,
+                       .impulse = 0.3F,
                        .normal = 0.25F,
                        .trails = true,
                        .contacts_as_dots = true}) {
@@ -77,9 +78,12 @@ std::vector<Metric> TwoBlocks::own_metrics() const {
 void TwoBlocks::draw_push(DrawList& list, BodyHandle handle, const Push& push) const {
   const glm::vec3 at = picture(place(body_of(world(), handle)));
   const float strength = static_cast<float>(parameter("push"));
-  const glm::vec3 force = 0.3F * strength * glm::vec3(push.force);
-  list.arrows.push_back({.from = at, .to = at + force, .color = k_force, .width = 5});
-  list.labels.push_back({at + force, "force", k_force});
+  const auto arrow = [&](const glm::vec3& way, const char* name, const Color& color) {
+    list.arrows.push_back({.from = at, .to = at + way, .color = color, .width = 5});
+    list.labels.push_back({at + way, name, color});
+  };
+  arrow(0.35F * strength * glm::vec3(push.force), "force", k_force);
+  arrow(1.3F * strength * glm::vec3(push.torque), "torque", k_velocity);
 }
 
 void TwoBlocks::draw(DrawList& list) const {

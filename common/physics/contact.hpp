@@ -102,6 +102,11 @@ void find_contacts(std::span<const RigidBody> bodies,
                    std::span<const Collider> colliders, Real margin, Real acceleration,
                    Real dt, ContactSearch& search, std::vector<PointContact>& contacts);
 
+/// Contacts that slip more slowly than `speed` [m/s] have static friction, where that
+/// is more.
+void hold_still(std::span<const RigidBody> bodies, Real speed,
+                std::span<PointContact> contacts);
+
 /// Gives each contact the impulse that the same one had before: of the same colliders,
 /// the same feature. One whose feature is new, as where corners lie on each other and
 /// change places, has that of the nearest that is left, no further than `reach` [m].

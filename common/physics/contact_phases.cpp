@@ -66,9 +66,10 @@ Real normal_acceleration(const ContactRow& row, const SolverBody& a,
 // (6.4) All bodies as they will be when they bounce, in a substep that has come to
 // `now` [s]. Then each row asks for what its restitution makes of its speed there
 void prepare_bounces(SolverRoom& room, Real now, const auto& parting) {
-  for (ContactRow& row : room.rows)
+  for (const ContactRow& row : room.rows)
     if (row.phase == ContactPhase::bouncing)
       turn_ahead(room, row, row.time - now, room.time + row.time);
+  update_masses(room);
   for (ContactRow& row : room.rows)
     if (row.phase == ContactPhase::bouncing)
       row.target = parting(row, room.bodies[row.a], room.bodies[row.b]);

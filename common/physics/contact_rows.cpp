@@ -60,21 +60,20 @@ void set_motion(SolverBody& body, const Motion& motion) {
 }
 
 // (6.8)
-void apply(const SolverBody& body, const Vec3& arm, const Vec3& impulse,
-           Motion& motion) {
+inline void apply(const SolverBody& body, const Vec3& arm, const Vec3& impulse,
+                  Motion& motion) {
   motion.velocity += body.inverse_mass * impulse;
   motion.angular_velocity += body.inverse_inertia * glm::cross(arm, impulse);
 }
 
-// (6.5) All of it up to what static friction holds; beyond it slips
+// (6.5)
 Vec3 limited_friction(const ContactRow& row, const Vec3& wanted, bool use_pyramid) {
-  const Real held = row.static_friction * row.normal_impulse;
-  const Real squared = glm::dot(wanted, wanted);
-  if (squared <= held * held) return wanted;
   if (use_pyramid)
     return in_pyramid(wanted, row.friction, row.normal_impulse,
                       contact_basis(row.normal));
-  return row.friction * row.normal_impulse / std::sqrt(squared) * wanted;
+  const Real most = row.friction * row.normal_impulse;
+  const Real squared = glm::dot(wanted, wanted);
+  return squared > most * most ? most / std::sqrt(squared) * wanted : wanted;
 }
 
 // (6.11) What the row asks for now, and what it has been given so far
@@ -149,7 +148,8 @@ bool is_alike(const Vec3& k) {
 }
 
 // (6.16) Turns a body, and changes its angular velocity so that the angular momentum
-// stays: to second order, by the acceleration that this means at the start
+// stays: to second order, by the acceleration that this means at the start. Of turns
+// that are too fast for that, the energy stays: the body keeps its spin
 void turn(const Vec3& k, const Vec3& angle, Real dt, Quat& orientation, Vec3& omega) {
   if (is_alike(k)) {
     orientation = glm::normalize(rotation_by(angle) * orientation);
@@ -158,10 +158,15 @@ void turn(const Vec3& k, const Vec3& angle, Real dt, Quat& orientation, Vec3& om
   const Vec3 w = turned_by(glm::conjugate(orientation), omega);
   const Vec3 momentum = w / k;
   const Vec3 gyroscopic = k * glm::cross(momentum, w);
-  const Vec3 L = turned_by(orientation, momentum);
   const Vec3 further = turned_by(orientation, dt * dt / 2 * gyroscopic);
-  orientation = glm::normalize(rotation_by(angle + further) * orientation);
-  omega = turned_by(orientation, k * turned_by(glm::conjugate(orientation), L));
+  const bool is_slow = glm::dot(angle, angle) < 1 && glm::dot(further, further) < 1;
+
+  const Vec3 L = turned_by(orientation, momentum);
+  const Quat turned = rotation_by(is_slow ? angle + further : angle);
+  orientation = glm::normalize(turned * orientation);
+  omega = is_slow
+              ? turned_by(orientation, k * turned_by(glm::conjugate(orientation), L))
+              : turned_by(turned, omega);
 }
 
 // The same from one attitude to the next
@@ -203,7 +208,6 @@ void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> co
     row.arm_a = c.position - c.across / Real(2) - bodies[c.a].position;
     row.arm_b = c.position + c.across / Real(2) - bodies[c.b].position;
     row.friction = c.friction;
-    row.static_friction = std::max(c.friction, c.static_friction);
     row.gap = -c.depth;
     row.restitution = c.restitution;
     set_masses(row, basis, room);
@@ -214,10 +218,15 @@ void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> co
   }
 }
 
-void turn_ahead(SolverRoom& room, ContactRow& row, Real ahead, Real time) {
+void turn_ahead(SolverRoom& room, const ContactRow& row, Real ahead, Real time) {
   for (const std::uint32_t body : {row.a, row.b})
     turn_ahead(room.bodies[body], room.attitudes[body], ahead, time);
-  set_masses(row, contact_basis(row.normal), room);
+}
+
+void update_masses(SolverRoom& room) {
+  for (ContactRow& row : room.rows)
+    if (room.attitudes[row.a].time > 0 || room.attitudes[row.b].time > 0)
+      set_masses(row, contact_basis(row.normal), room);
 }
 
 void accelerate(std::span<SolverBody> bodies, Real h) {

@@ -20,12 +20,13 @@ struct SolverSettings {
   int iterations = 10;                 ///< sweeps of `sequential_impulses`
   int impact_iterations = 16;          ///< sweeps more, where something bounces
   int impact_rounds = 8;               ///< of bounces that lead to others, at most
-  int contacts_at_most = 1000;         ///< that `worst_first` resolves in a step
+  int contacts_at_most = 1000;         ///< of `worst_first`; columns of ten need more
   Real velocity_epsilon = Real(1e-4);  ///< [m/s] `worst_first` leaves less than this
   Real contact_frequency = Real(0.2);  ///< of soft contacts, per frequency of substeps
   Real damping_ratio = 5;              ///< of soft contacts: 1 is critical
   Real push_speed = 3;                 ///< [m/s] at most, out of a penetration
   Real restitution_threshold = 0;      ///< [m/s] slower impacts do not bounce
+  Real static_speed = Real(0.01);      ///< [m/s] slower slip is held by static friction
   bool use_pyramid = false;            ///< friction in a square, not in a circle
 };
 
@@ -33,7 +34,7 @@ struct SolverSettings {
 struct SolverBody {
   Vec3 velocity, angular_velocity;
   Real inverse_mass;
-  Mat3 inverse_inertia;  ///< world, at the start of the step
+  Mat3 inverse_inertia;  ///< world, see Attitude
   Vec3 moved{0};         ///< [m] since the start of the step
   Vec3 turned{0};        ///< [rad] since the start of the step, small
   Vec3 acceleration{0}, angular_acceleration{0};    ///< by forces and gravity
@@ -54,9 +55,8 @@ struct ContactRow {
   Vec3 normal, arm_a, arm_b;  ///< [m] from the centres of mass to the point
   Real normal_mass = 0;       ///< [kg] effective, along the normal
   Real tangent_mass = 0;      ///< [kg] the least along the surface
-  Real friction;              ///< of what slips
-  Real static_friction;       ///< of what does not: no less
-  Real target = 0;            ///< [m/s] parting speed that is asked for
+  Real friction;
+  Real target = 0;  ///< [m/s] parting speed that is asked for
   SoftCoefficients soft{};
   Real normal_impulse = 0;  ///< [N s] accumulated
   Vec3 tangent_impulse{0};
@@ -110,7 +110,10 @@ void prepare(std::span<const RigidBody> bodies, std::span<const PointContact> co
 /// Looks up the inertia of a row's bodies anew, for where they will be `ahead` [s] from
 /// where they have turned to, at `time` [s] since the start of the step. Their angular
 /// momentum stays. So an impact in the middle of a step keeps the energy.
-void turn_ahead(SolverRoom& room, ContactRow& row, Real ahead, Real time);
+void turn_ahead(SolverRoom& room, const ContactRow& row, Real ahead, Real time);
+
+/// (6.2) Effective masses of all rows whose bodies that has changed.
+void update_masses(SolverRoom& room);
 
 /// Forces and gravity for h [s].
 void accelerate(std::span<SolverBody> bodies, Real h);

@@ -51,9 +51,9 @@ void gjk_step(const MinkowskiDifference& difference, Gjk& gjk) {
   const Real upper = glm::length(gjk.v);
   const Vec3 normal = direction_to(gjk.v, upper);
   Simplex& simplex = gjk.simplex;
-  SupportPoint* const end = &simplex.vertices[std::size_t(simplex.size)];
-  SupportPoint& next = *end;
-  find_support(difference, normal, *(end - 1), next);
+  const auto size = std::size_t(simplex.size);
+  SupportPoint& next = simplex.vertices[size];
+  find_support(difference, normal, simplex.vertices[size - 1], next);
   ++gjk.iterations;
   const Real lower = glm::dot(normal, next.w);
   const bool rises = lower > gjk.lower, is_along_v = lower > gjk.lower - k_rounding;

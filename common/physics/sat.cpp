@@ -40,8 +40,8 @@ struct Axis {
 };
 
 // In place: a copy of what was just written would wait for it
-void set(Axis& axis, Real separation, const Vec3& normal, SatFeature feature, Index on_a,
-         Index on_b) {
+void set(Axis& axis, Real separation, const Vec3& normal, SatFeature feature,
+         Index on_a, Index on_b) {
   axis.separation = separation;
   axis.normal = normal;
   axis.feature = feature;
@@ -70,9 +70,9 @@ void set_in_world(const Axis& axis, const Vec3& point, const Pose& pose_a,
   s.distance = axis.separation;
   s.normal = direction_in_world(pose_a, axis.normal);
   const bool is_on_b = axis.feature == SatFeature::face_of_a;
-  const Vec3 near = point_in_world(pose_a, point), across = axis.separation * s.normal;
-  s.on_a = near - (is_on_b ? across : Vec3(0));
-  s.on_b = near + (is_on_b ? Vec3(0) : across);
+  const Vec3 across = axis.separation * axis.normal;
+  s.on_a = point_in_world(pose_a, point - (is_on_b ? across : Vec3(0)));
+  s.on_b = point_in_world(pose_a, point + (is_on_b ? Vec3(0) : across));
   s.iterations = result.axes;
   result.feature = axis.feature;
   result.on_a = axis.on_a;

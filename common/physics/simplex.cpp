@@ -20,6 +20,15 @@ Vec3 without(const Vec3& v, const Vec3& edge) {
   return v - (glm::dot(v, edge) / squared(edge)) * edge;
 }
 
+// From the two shorter edges, of which less cancels
+Vec3 wide_area_normal(const Vec3& p, const Vec3& q, const Vec3& r) {
+  const WideVec3 pq = WideVec3(q) - WideVec3(p), qr = WideVec3(r) - WideVec3(q);
+  const WideVec3 rp = WideVec3(p) - WideVec3(r);
+  const Wide pq2 = glm::dot(pq, pq), qr2 = glm::dot(qr, qr), rp2 = glm::dot(rp, rp);
+  if (qr2 >= pq2 && qr2 >= rp2) return Vec3(glm::cross(rp, pq));
+  return Vec3(rp2 >= pq2 ? glm::cross(pq, qr) : glm::cross(qr, rp));
+}
+
 using Index = std::size_t;
 using Vertices = std::array<SupportPoint, 4>;
 
@@ -99,8 +108,7 @@ void try_triangle(Search& search, Index i, Index j, Index k) {
     const bool is_to_q = squared(q - p) > squared(r - p);
     Real& weight_end = is_to_q ? weight_q : weight_r;
     const Vec3 e = (is_to_q ? q : r) - p;
-    const Real step =
-        std::clamp(-glm::dot(sum, e) / squared(e), -weight_end, weight_p);
+    const Real step = std::clamp(-glm::dot(sum, e) / squared(e), -weight_end, weight_p);
     weight_p -= step;
     weight_end += step;
     point = sum + step * e;
@@ -152,15 +160,11 @@ ClosestPoint first_vertex(const Simplex& simplex) {
 
 Vec3 area_normal(const Vec3& p, const Vec3& q, const Vec3& r) {
   constexpr Real k_thin = Real(1) / 64;  // sine of the angle at p
-  const Vec3 e = q - p, f = r - p, n = glm::cross(e, f);
-  if (squared(n) > k_thin * k_thin * squared(e) * squared(f)) return n;
-
-  // From the two shorter edges, of which less cancels
-  const WideVec3 pq = WideVec3(q) - WideVec3(p), qr = WideVec3(r) - WideVec3(q);
-  const WideVec3 rp = WideVec3(p) - WideVec3(r);
-  const Wide pq2 = glm::dot(pq, pq), qr2 = glm::dot(qr, qr), rp2 = glm::dot(rp, rp);
-  if (qr2 >= pq2 && qr2 >= rp2) return Vec3(glm::cross(rp, pq));
-  return Vec3(rp2 >= pq2 ? glm::cross(pq, qr) : glm::cross(qr, rp));
+  const Vec3 e = q - p, f = r - p;
+  Vec3 n = glm::cross(e, f);
+  if (!(squared(n) > k_thin * k_thin * squared(e) * squared(f)))
+    n = wide_area_normal(p, q, r);
+  return n;
 }
 
 ClosestPoint closest_to_origin(const Simplex& simplex) {

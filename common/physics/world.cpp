@@ -43,10 +43,26 @@ void check(const World& world, Real dt) {
   if (world.out_of_penetration == nullptr) throw WorldError("no such way out");
   if (world.impact_law == nullptr) throw WorldError("no such impact law");
   if (world.settings.substeps < 1) throw WorldError("there are no substeps");
-  for (const RigidBody& body : world.bodies) {
-    const std::string fault = body_fault(body);
-    if (!fault.empty()) throw WorldError(fault);
+  if (!is_finite(world.settings.gravity)) throw WorldError("gravity is not finite");
+  if (!(std::isfinite(world.margin) && world.margin >= 0))
+    throw WorldError("the margin is negative");
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const std::string fault = body_fault(world.bodies[i]);
+    if (!fault.empty()) throw WorldError("body " + std::to_string(i) + ": " + fault);
   }
+}
+
+// Where the bodies are now, with the impulses that the same contacts had before
+void update_contacts(World& world, Real dt) {
+  std::swap(world.contacts, world.contacts_before);
+  const Real falling = glm::length(world.settings.gravity);
+  do {
+    find_contacts(world.bodies, world.colliders, world.margin, falling, dt,
+                  world.search, world.contacts);
+  } while (world.sleep.is_on
+           && wake_touched(world.bodies, world.contacts, world.sleep, world.sleepers));
+  hold_still(world.bodies, world.settings.static_speed, world.contacts);
+  carry_impulses(world.contacts_before, world.margin, world.contacts);
 }
 
 void check_handle(const World& world, BodyHandle handle) {
@@ -140,18 +156,8 @@ const RigidBody& body_of(const World& world, BodyHandle handle) {
 
 void step(World& world, Real dt) {
   check(world, dt);
-
   if (world.sleep.is_on) hold_sleepers(world.bodies, world.sleepers);
-
-  // Contacts where the bodies are now, with the impulses that the same ones had before
-  std::swap(world.contacts, world.contacts_before);
-  const Real falling = glm::length(world.settings.gravity);
-  do {
-    find_contacts(world.bodies, world.colliders, world.margin, falling, dt,
-                  world.search, world.contacts);
-  } while (world.sleep.is_on
-           && wake_touched(world.bodies, world.contacts, world.sleep, world.sleepers));
-  carry_impulses(world.contacts_before, world.margin, world.contacts);
+  update_contacts(world, dt);
 
   // New velocities that the contacts allow, and new positions with them
   world.solver->advance({.bodies = world.bodies,

@@ -16,32 +16,22 @@ Vec3 gained(const SolverStep& step, const RigidBody& body) {
   return step.dt * (step.settings.gravity + newton(body.force, body.inverse_mass));
 }
 
-// (6.4) What forces alone added to the closing speed in this step is no impact: without
-// it resting bodies do not bounce
+// (6.4) What forces alone added to the closing speed in this step is no impact, nor is
+// what they add in one step of flight: without it resting bodies do not bounce
 Impact impact_at(const SolverStep& step, const PointContact& c, Real closing) {
-  const Vec3 fallen = gained(step, step.bodies[c.b]) - gained(step, step.bodies[c.a]);
-  const Real before = closing + std::min(glm::dot(fallen, c.normal), Real(0));
-  const bool bounces = before > step.settings.restitution_threshold;
+  const Vec3 gain = gained(step, step.bodies[c.b]) - gained(step, step.bodies[c.a]);
+  const Real fall = std::max(-glm::dot(gain, c.normal), Real(0));
+  const Real before = closing - fall;
+  const bool bounces = before > std::max(step.settings.restitution_threshold, fall);
   return {.point = c.position,
           .normal = c.normal,
           .restitution = bounces ? c.restitution * before / closing : 0,
           .friction = c.friction};
 }
 
-// (6.5) The law's impulse with static friction if that holds, else with that of slip
-Vec3 impulse_at(const SolverStep& step, const PointContact& c, Real closing) {
-  const RigidBody &a = step.bodies[c.a], &b = step.bodies[c.b];
-  Impact impact = impact_at(step, c, closing);
-  if (c.static_friction > c.friction) {
-    impact.friction = c.static_friction;
-    const Vec3 J = step.impact_law.impulse(a, b, impact);
-    const Real normal = glm::dot(J, c.normal);
-    constexpr Real k_holds = Real(0.999);
-    if (glm::length(J - normal * c.normal) < k_holds * c.static_friction * normal)
-      return J;
-  }
-  impact.friction = c.friction;
-  return step.impact_law.impulse(a, b, impact);
+// No further apart than what ways out of a penetration leave
+bool touches(const SolverStep& step, const PointContact& c) {
+  return c.depth >= -std::max(step.penetration.epsilon, step.penetration.slop);
 }
 
 // (6.9), (6.10) Listings 8 and 9: the fastest contact, again and again, until that one
@@ -49,16 +39,15 @@ Vec3 impulse_at(const SolverStep& step, const PointContact& c, Real closing) {
 void resolve_velocities(const SolverStep& step, std::vector<Real>& closing) {
   const auto contacts = step.contacts;
   closing.clear();
-  for (const PointContact& c : contacts) {
-    const bool touches = c.depth >= -step.penetration.epsilon;
-    closing.push_back(touches ? closing_speed(step, c) : 0);
-  }
+  for (const PointContact& c : contacts)
+    closing.push_back(touches(step, c) ? closing_speed(step, c) : 0);
   for (int k = 0; k < step.settings.contacts_at_most && !closing.empty(); ++k) {
     const auto fastest = std::ranges::max_element(closing);
     if (*fastest <= step.settings.velocity_epsilon) return;
     PointContact& primary = contacts[std::size_t(fastest - closing.begin())];
     RigidBody &a = step.bodies[primary.a], &b = step.bodies[primary.b];
-    const Vec3 impulse = impulse_at(step, primary, *fastest);
+    const Vec3 impulse =
+        step.impact_law.impulse(a, b, impact_at(step, primary, *fastest));
     apply_impulse(a, b, primary.position, impulse);
     primary.impulse += impulse;
 
@@ -68,7 +57,7 @@ void resolve_velocities(const SolverStep& step, std::vector<Real>& closing) {
              && step.bodies[body].inverse_mass > 0;
     };
     for (std::size_t i = 0; i < contacts.size(); ++i)
-      if (contacts[i].depth >= -step.penetration.epsilon
+      if (touches(step, contacts[i])
           && (is_moved(contacts[i].a) || is_moved(contacts[i].b)))
         closing[i] = closing_speed(step, contacts[i]);
   }

@@ -1,6 +1,6 @@
 // Prints the bits that the physics ends with, so that builds can be compared: every
-// method under every force, the systems, contacts, and the exact motions. Compiled once
-// for each precision.
+// method under every force, the systems, contacts, worlds, and the exact motions.
+// Compiled once for each precision.
 #include <array>
 #include <cstdio>
 #include <cstring>
@@ -24,6 +24,7 @@
 #include "common/physics/stability.hpp"
 #include "common/physics/systems.hpp"
 #include "tests/shape_pairs.hpp"
+#include "tests/world_scenes.hpp"
 
 using namespace timestep;
 
@@ -181,6 +182,23 @@ void print_contacts() {
   }
 }
 
+// A pile after a second, by each solver; rolling friction and bounces are in it
+void print_worlds() {
+  for (const Solver& solver : solvers()) {
+    World world = pile_of(solver.name == "lcp" ? 3 : 12);
+    world.solver = &solver;
+    for (Collider& collider : world.colliders) {
+      collider.restitution = Real(0.25) * Real(collider.id % 3);
+      collider.rolling_friction = Real(0.01) * Real(collider.id % 2);
+    }
+    run(world, 60);
+    for (const RigidBody& body : world.bodies) {
+      print(solver.name.data(), sum(body.position));
+      print(solver.name.data(), body.orientation.w + sum(body.angular_velocity));
+    }
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -191,6 +209,7 @@ int main() {
   print_mass();
   for (const RotationMethod& method : rotation_methods()) print_brick(method);
   print_contacts();
+  print_worlds();
   print("clock", accumulated_time(Real(1) / 60, 100'000));
   for (int i = 0; i < 50; ++i) {
     const double t = 0.1 * i;
