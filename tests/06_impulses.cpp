@@ -177,16 +177,17 @@ TEST_CASE("one pass of a game's solver can leave bodies closing, both at once ca
   int left_closing = 0;
   for (int i = 0; i < 1000; ++i) {
     const Meeting m = random_meeting(random);
-    const auto& [point, n, e, friction] = m.impact;
-    const Real closing = -glm::dot(relative_velocity(m.a, m.b, point), n);
+    const Real closing =
+        -glm::dot(relative_velocity(m.a, m.b, m.impact.point), m.impact.normal);
     const auto parting_by = [&](const char* law) {
       const Meeting then = after(m, find_impact_law(law)->impulse(m.a, m.b, m.impact));
-      return glm::dot(relative_velocity(then.a, then.b, point), n);
+      return glm::dot(relative_velocity(then.a, then.b, m.impact.point),
+                      m.impact.normal);
     };
     left_closing += parting_by("sequential_friction") < -closing / 10 ? 1 : 0;
 
     // The impulse is found to its last bits; K, of numbers up to 1000 1/kg, answers
-    CHECK(std::abs(parting_by("coupled_friction") - e * closing)
+    CHECK(std::abs(parting_by("coupled_friction") - m.impact.restitution * closing)
           <= 1000 * k_roundings * k_u * (1 + closing));
   }
   CHECK(left_closing > 0);

@@ -86,9 +86,9 @@ TEST_CASE("an elastic gas keeps its energy") {
     }
   }
   for (int i = 0; i < 64; ++i) {
-    RigidBody body = ball(1, Real(0.1),
-                          Real(0.45) * Vec3(Real(i % 4), Real(i / 4 % 4), Real(i / 16))
-                              - Vec3(Real(0.675)));
+    const int row = i / 4 % 4, layer = i / 16;
+    const Vec3 place = Vec3(Real(i % 4), Real(row), Real(layer)) - Vec3(Real(1.5));
+    RigidBody body = ball(1, Real(0.1), Real(0.45) * place);
     body.velocity =
         Vec3(std::sin(Real(i)), std::cos(Real(2 * i)), std::sin(Real(3 * i)));
     add_body(world, body, surface(Sphere{Real(0.1)}, 0, 1));

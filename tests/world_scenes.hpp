@@ -102,7 +102,8 @@ inline World pile_of(int n) {
     return Real(state >> 8) * Real(0x1p-24) - Real(0.5);
   };
   for (int i = 0; i < n; ++i) {
-    const Vec3 place(Real(i % 5), Real(1) + Real(i / 25), Real(i / 5 % 5));
+    const int row = i / 5 % 5, layer = i / 25;
+    const Vec3 place(Real(i % 5), Real(1 + layer), Real(row));
     RigidBody body = box(1, k_half, Real(1.5) * place);
     const Real along_x = random(), along_z = random();
     body.position += Vec3{along_x, 0, along_z};
