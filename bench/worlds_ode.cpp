@@ -35,6 +35,7 @@ struct OdeWorld {
 
   OdeWorld(const Scene& of, const Settings& settings, int (*step_by)(dWorldID, dReal))
       : scene(of), dt(real(settings.dt)), stepper(step_by) {
+    dRandSetSeed(1);  // QuickStep shuffles its rows
     const glm::dvec3& g = scene.gravity;
     dWorldSetGravity(world, real(g.x), real(g.y), real(g.z));
     if (settings.iterations > 0)

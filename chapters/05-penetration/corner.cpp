@@ -19,7 +19,8 @@ class Corner : public OverlapRun {
 // Straight out, by as much as it is in each: no plane's push turns the box, since it
 // acts on a whole face
 Corner::Corner(const Setup& setup)
-    : OverlapRun(setup, {.apart = {2.2F, 2.2F}, .columns = 3}) {
+    : OverlapRun(setup,
+                 {.apart = {2.2F, 2.2F}, .columns = 3, .mark = {0.85F, 0.1F, 1.8F}}) {
   for (const int axis : {0, 1, 2}) {
     Vec3 normal(0);
     normal[axis] = 1;

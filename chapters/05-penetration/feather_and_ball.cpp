@@ -25,7 +25,7 @@ class FeatherAndBall : public OverlapRun {
 };
 
 FeatherAndBall::FeatherAndBall(const Setup& setup)
-    : OverlapRun(setup, {.apart = {1.4F, 1}, .columns = 2}) {
+    : OverlapRun(setup, {.apart = {1.4F, 1}, .columns = 2, .mark = {-0.65F, 0, 0}}) {
   const double above = (k_radius + k_half.y - parameter("depth")) * size();
   const double along = parameter("along") * size();
   const Shape feather = Box{Vec3(size() * k_half)};

@@ -24,7 +24,7 @@ class OverlapRecovery : public OverlapRun {
 };
 
 OverlapRecovery::OverlapRecovery(const Setup& setup)
-    : OverlapRun(setup, {.apart = {2, 0}, .columns = 5}) {
+    : OverlapRun(setup, {.apart = {2, 0}, .columns = 5, .mark = {0, 0.1F, 1}}) {
   add_wall({0, 1, 0}, 0);
   const double rise = size() * (1 - parameter("overlap"));
   for (int i = 0; i < count(); ++i) {

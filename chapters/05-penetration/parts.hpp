@@ -48,10 +48,12 @@ class OverlapRun : public Simulation {
   CameraPose camera(const CameraPose& usual) const override;
 
  protected:
-  /// Lanes stand so far apart in the picture, in sizes, so many in a row.
+  /// Lanes stand so far apart in the picture, in sizes, so many in a row. The method's
+  /// symbol is at `mark`.
   struct Lanes {
     glm::vec2 apart;
     std::size_t columns;
+    glm::vec3 mark;
   };
   OverlapRun(const Setup& setup, const Lanes& lanes);
 

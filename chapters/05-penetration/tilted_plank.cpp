@@ -32,7 +32,8 @@ class TiltedPlank : public OverlapRun {
 };
 
 TiltedPlank::TiltedPlank(const Setup& setup)
-    : OverlapRun(setup, {.apart = {1.3F, 0.75F}, .columns = 2}) {
+    : OverlapRun(setup,
+                 {.apart = {1.3F, 0.75F}, .columns = 2, .mark = {-0.62F, 0, 0}}) {
   add_wall({0, 1, 0}, 0);
   const Shape shape = Box{Vec3(size() * k_half)};
   const double mass = parameter("mass");

@@ -39,8 +39,9 @@ class TwoBlocks : public WorldRun {
 };
 
 TwoBlocks::TwoBlocks(const Setup& setup)
-    : WorldRun(setup, {.lanes_apart = {0, 0, -2.5F},
+    : WorldRun(setup, {.lanes_apart = {4, 0, 0},
                        .force = 0.06F,
+                       .impulse = 0.3F,
                        .normal = 0.25F,
                        .trails = true,
                        .contacts_as_dots = true}) {

@@ -32,8 +32,32 @@ BodyHandle WorldRun::add(const std::string& name, RigidBody body,
   }
 }
 
+// Where gravity and forces alone would take each body's velocity
+void WorldRun::foresee() {
+  for (Seen& seen : seen_) {
+    const RigidBody& body = world_.bodies[seen.body];
+    const Vec3 a = world_.settings.gravity + body.inverse_mass * body.force;
+    seen.free_velocity = glm::dvec3(body.velocity) + setup_.dt * glm::dvec3(a);
+  }
+}
+
+// An impact changes a velocity by more than what would carry the body's weight
+void WorldRun::note_impacts() {
+  constexpr double k_weights = 5;
+  const double g = glm::length(glm::dvec3(world_.settings.gravity));
+  for (Seen& seen : seen_) {
+    const RigidBody& body = world_.bodies[seen.body];
+    if (steps_ == 0 || body.inverse_mass == 0) continue;
+    const glm::dvec3 change = glm::dvec3(body.velocity) - seen.free_velocity;
+    if (glm::length(change) <= k_weights * g * setup_.dt) continue;
+    seen.impulse = mass_of(body) * change;
+    seen.hit_at = time();
+  }
+}
+
 void WorldRun::step() {
   before_step();
+  if (view_.impulse > 0) foresee();
   try {
     timestep::step(world_, Real(setup_.dt));
   } catch (const WorldError& error) {
@@ -57,6 +81,7 @@ void WorldRun::observe() {
   energy_gained_ = std::max(energy_gained_, energy - lowest_energy_);
   for (Seen& seen : seen_)
     if (view_.trails) seen.trail.add(picture(place(world_.bodies[seen.body])));
+  if (view_.impulse > 0) note_impacts();
   after_step();
 }
 
@@ -144,6 +169,16 @@ void WorldRun::draw_body(DrawList& list, const Seen& seen) const {
     draw_rings(list, float(ball->radius), world_from_body, k_ink);
   if (view_.trails)
     list.lines.push_back({.points = seen.trail.points(), .color = color, .fade = true});
+
+  // An impact is over at once, too fast to be seen: its arrow stays for a while
+  constexpr double k_seen_for = 0.1;  // [s]
+  if (seen.hit_at >= 0 && time() - seen.hit_at < k_seen_for) {
+    const glm::vec3 at = picture(place(body));
+    list.arrows.push_back({.from = at,
+                           .to = at + view_.impulse * glm::vec3(seen.impulse),
+                           .color = k_force,
+                           .width = 5});
+  }
 }
 
 // Contacts of the last step: their normals, and the forces that they stand for

@@ -15,6 +15,7 @@ struct View {
   float scale = 1;                ///< [m/m] of the picture to the world
   glm::vec3 lanes_apart{0};       ///< between the worlds of methods side by side
   float force = 0;                ///< [m/N] length of the arrows of contact forces
+  float impulse = 0;              ///< [m/(N s)] of what impacts do to bodies
   float normal = 0;               ///< length of the contact normals
   bool trails = false;            ///< of the centres of mass
   bool rings = false;             ///< around balls, to see them turn
@@ -82,8 +83,13 @@ class WorldRun : public Simulation {
     float reach;  // [m] of its farthest point from the centre of mass
     Color color;
     Trail trail{};
+    glm::dvec3 free_velocity{0};  // [m/s] after a step without contacts
+    glm::dvec3 impulse{0};        // [N s] of all impacts in the last step with some
+    double hit_at = -1;           // [s] at its end
   };
 
+  void foresee();
+  void note_impacts();
   void draw_body(DrawList& list, const Seen& seen) const;
   void draw_contacts(DrawList& list) const;
 

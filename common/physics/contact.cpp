@@ -97,15 +97,26 @@ void keep_order(std::size_t count, std::vector<std::uint32_t>& order) {
   }
 }
 
-// Nothing where the axes cannot tell: a lower bound of a distance is one only where
+Manifold touch_by_distance(const Shape& a, const Pose& pose_a, const Shape& b,
+                           const Pose& pose_b, Real margin) {
+  const auto closed = closed_form(a, pose_a, b, pose_b);
+  const Separation s = closed ? *closed : separation(a, pose_a, b, pose_b);
+  if (s.reason == Reason::out_of_range || s.reason == Reason::unbounded) return {};
+  return contact_manifold(a, pose_a, b, pose_b, s, margin);
+}
+
+// By the axes, unless they cannot tell: a lower bound of a distance is one only where
 // faces are on each other
-std::optional<Manifold> touching_boxes(const Box& a, const Pose& pose_a, const Box& b,
-                                       const Pose& pose_b, Real margin) {
-  const SatResult found = sat(a, pose_a, b, pose_b);
-  if (found.separation.distance > margin) return Manifold{};
-  const Manifold manifold =
-      contact_manifold(a, pose_a, b, pose_b, found.separation, margin);
-  if (found.separation.distance > 0 && manifold.count < 3) return {};
+Manifold touch_boxes(const Shape& a, const Pose& pose_a, const Shape& b,
+                     const Pose& pose_b, Real margin) {
+  const Box &box_a = std::get<Box>(a), &box_b = std::get<Box>(b);
+  const SatResult found = sat(box_a, pose_a, box_b, pose_b);
+  const Separation& s = found.separation;
+  Manifold manifold = s.distance > margin
+                          ? Manifold{}
+                          : contact_manifold(box_a, pose_a, box_b, pose_b, s, margin);
+  if (s.distance > 0 && s.distance <= margin && manifold.count < 3)
+    manifold = touch_by_distance(a, pose_a, b, pose_b, margin);
   return manifold;
 }
 
@@ -216,14 +227,9 @@ void carry_impulses_of_pair(std::span<const PointContact> before, Real reach,
 
 Manifold touch(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b,
                Real margin) {
-  const Box *box_a = std::get_if<Box>(&a), *box_b = std::get_if<Box>(&b);
-  if (box_a != nullptr && box_b != nullptr)
-    if (const auto found = touching_boxes(*box_a, pose_a, *box_b, pose_b, margin))
-      return *found;
-  const auto closed = closed_form(a, pose_a, b, pose_b);
-  const Separation s = closed ? *closed : separation(a, pose_a, b, pose_b);
-  if (s.reason == Reason::out_of_range || s.reason == Reason::unbounded) return {};
-  return contact_manifold(a, pose_a, b, pose_b, s, margin);
+  if (std::holds_alternative<Box>(a) && std::holds_alternative<Box>(b))
+    return touch_boxes(a, pose_a, b, pose_b, margin);
+  return touch_by_distance(a, pose_a, b, pose_b, margin);
 }
 
 void find_pairs(std::span<const RigidBody> bodies, std::span<const Collider> colliders,

@@ -1,6 +1,8 @@
 /// @file
 /// What contacts do within a substep, and when: impacts act at the moment when the pair
-/// closes, so that a bounce loses and gains nothing but what its restitution says.
+/// closes, so that a bounce loses and gains nothing but what its restitution says. A
+/// body that bounces again before the next step does so on contacts as they were found
+/// for its first way: it may pass through a part of what it meets on its second.
 /// Source: chapter 6.
 #pragma once
 

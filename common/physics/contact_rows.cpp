@@ -60,8 +60,8 @@ void set_motion(SolverBody& body, const Motion& motion) {
 }
 
 // (6.8)
-void apply(const SolverBody& body, const Vec3& arm, const Vec3& impulse,
-           Motion& motion) {
+inline void apply(const SolverBody& body, const Vec3& arm, const Vec3& impulse,
+                  Motion& motion) {
   motion.velocity += body.inverse_mass * impulse;
   motion.angular_velocity += body.inverse_inertia * glm::cross(arm, impulse);
 }
@@ -148,7 +148,8 @@ bool is_alike(const Vec3& k) {
 }
 
 // (6.16) Turns a body, and changes its angular velocity so that the angular momentum
-// stays: to second order, by the acceleration that this means at the start
+// stays: to second order, by the acceleration that this means at the start. Of turns
+// that are too fast for that, the energy stays: the body keeps its spin
 void turn(const Vec3& k, const Vec3& angle, Real dt, Quat& orientation, Vec3& omega) {
   if (is_alike(k)) {
     orientation = glm::normalize(rotation_by(angle) * orientation);
@@ -157,10 +158,15 @@ void turn(const Vec3& k, const Vec3& angle, Real dt, Quat& orientation, Vec3& om
   const Vec3 w = turned_by(glm::conjugate(orientation), omega);
   const Vec3 momentum = w / k;
   const Vec3 gyroscopic = k * glm::cross(momentum, w);
-  const Vec3 L = turned_by(orientation, momentum);
   const Vec3 further = turned_by(orientation, dt * dt / 2 * gyroscopic);
-  orientation = glm::normalize(rotation_by(angle + further) * orientation);
-  omega = turned_by(orientation, k * turned_by(glm::conjugate(orientation), L));
+  const bool is_slow = glm::dot(angle, angle) < 1 && glm::dot(further, further) < 1;
+
+  const Vec3 L = turned_by(orientation, momentum);
+  const Quat turned = rotation_by(is_slow ? angle + further : angle);
+  orientation = glm::normalize(turned * orientation);
+  omega = is_slow
+              ? turned_by(orientation, k * turned_by(glm::conjugate(orientation), L))
+              : turned_by(turned, omega);
 }
 
 // The same from one attitude to the next

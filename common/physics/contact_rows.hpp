@@ -20,7 +20,7 @@ struct SolverSettings {
   int iterations = 10;                 ///< sweeps of `sequential_impulses`
   int impact_iterations = 16;          ///< sweeps more, where something bounces
   int impact_rounds = 8;               ///< of bounces that lead to others, at most
-  int contacts_at_most = 1000;         ///< that `worst_first` resolves in a step
+  int contacts_at_most = 1000;         ///< of `worst_first`; columns of ten need more
   Real velocity_epsilon = Real(1e-4);  ///< [m/s] `worst_first` leaves less than this
   Real contact_frequency = Real(0.2);  ///< of soft contacts, per frequency of substeps
   Real damping_ratio = 5;              ///< of soft contacts: 1 is critical
@@ -34,7 +34,7 @@ struct SolverSettings {
 struct SolverBody {
   Vec3 velocity, angular_velocity;
   Real inverse_mass;
-  Mat3 inverse_inertia;  ///< world, at the start of the step
+  Mat3 inverse_inertia;  ///< world, see Attitude
   Vec3 moved{0};         ///< [m] since the start of the step
   Vec3 turned{0};        ///< [rad] since the start of the step, small
   Vec3 acceleration{0}, angular_acceleration{0};    ///< by forces and gravity

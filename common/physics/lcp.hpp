@@ -32,7 +32,8 @@ inline constexpr int k_friction_directions = 8;
 LinearComplementarity contact_problem(const SolverRoom& room);
 
 /// Gives the rows the impulses that solve their problem, and the bodies what those do.
-/// False, with nothing changed, if no solution was found.
+/// False, with nothing changed, if no solution was found. Takes its room from the heap
+/// anew each time, which nothing else in a settled step does.
 bool solve_directly(SolverRoom& room);
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

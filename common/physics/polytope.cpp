@@ -102,7 +102,7 @@ void close(Polytope& polytope, const Horizon& horizon, Index vertex) {
     const Index slot = slots[std::size_t(i)];
     make_face(polytope, slot, edge.from, edge.to, vertex);
     face_at(polytope, slot).neighbours = {edge.beyond, slots[std::size_t((i + 1) % n)],
-                       slots[std::size_t((i + n - 1) % n)]};
+                                          slots[std::size_t((i + n - 1) % n)]};
     connect(face_at(polytope, edge.beyond), edge.to, slot);
   }
 }

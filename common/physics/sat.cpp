@@ -40,8 +40,8 @@ struct Axis {
 };
 
 // In place: a copy of what was just written would wait for it
-void set(Axis& axis, Real separation, const Vec3& normal, SatFeature feature, Index on_a,
-         Index on_b) {
+void set(Axis& axis, Real separation, const Vec3& normal, SatFeature feature,
+         Index on_a, Index on_b) {
   axis.separation = separation;
   axis.normal = normal;
   axis.feature = feature;

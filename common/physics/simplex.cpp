@@ -108,8 +108,7 @@ void try_triangle(Search& search, Index i, Index j, Index k) {
     const bool is_to_q = squared(q - p) > squared(r - p);
     Real& weight_end = is_to_q ? weight_q : weight_r;
     const Vec3 e = (is_to_q ? q : r) - p;
-    const Real step =
-        std::clamp(-glm::dot(sum, e) / squared(e), -weight_end, weight_p);
+    const Real step = std::clamp(-glm::dot(sum, e) / squared(e), -weight_end, weight_p);
     weight_p -= step;
     weight_end += step;
     point = sum + step * e;

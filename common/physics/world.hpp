@@ -25,22 +25,24 @@ struct BodyHandle {
   std::uint32_t generation = 0;  ///< 0: none
 };
 
+/// Bodies, how they move, and what a step leaves for the next one. Metres, kilograms,
+/// seconds, world frame.
 struct World {
   // What there is. A removed body's place stays, as a static body without colliders.
-  std::vector<RigidBody> bodies;
+  std::vector<RigidBody> bodies;           ///< may be changed between two steps
   std::vector<std::uint32_t> generations;  ///< of the bodies
-  std::vector<bool> is_there;
-  std::vector<Collider> colliders;  ///< in the order in which they were added
-  std::uint32_t next_collider = 0;
+  std::vector<bool> is_there;              ///< false: the place is free
+  std::vector<Collider> colliders;         ///< in the order in which they were added
+  std::uint32_t next_collider = 0;         ///< the id of the next one
 
   // How it moves
-  SolverSettings settings;
+  SolverSettings settings;          ///< gravity, steps within a step, sweeps
   PenetrationSettings penetration;  ///< for solvers that need a way out
   const Solver* solver = find_solver("substeps");
   const PenetrationMethod* out_of_penetration = find_penetration_method("ngs");
-  const ImpactLaw* impact_law = find_impact_law("coupled_friction");
+  const ImpactLaw* impact_law = find_impact_law("coupled_friction");  ///< worst_first's
   Real margin = Real(0.01);  ///< [m] contacts are looked for up to this distance
-  SleepSettings sleep;
+  SleepSettings sleep;       ///< off by default
 
   // The last step's contacts, those of the step before, and room to work
   std::vector<PointContact> contacts, contacts_before;
@@ -52,7 +54,7 @@ struct World {
 
 /// What is wrong with a body, or with a collider, in a short phrase; empty if nothing
 /// is. Numbers must be finite, the orientation of length one, inverse masses and
-/// inertias not negative; sizes positive, friction not negative, restitution 0 to 1.
+/// inertias not negative; sizes positive, frictions not negative, restitution 0 to 1.
 std::string body_fault(const RigidBody& body);
 std::string collider_fault(const Collider& collider);
 
@@ -69,7 +71,8 @@ RigidBody& body_of(World& world, BodyHandle handle);
 const RigidBody& body_of(const World& world, BodyHandle handle);
 
 /// (6.16) Everything moves on by dt [s], under gravity and the forces that were added
-/// since the last step. Throws WorldError if dt or a body is not as it must be.
+/// since the last step. Throws WorldError if dt, a setting or a body is not as it must
+/// be, with nothing changed.
 void step(World& world, Real dt);
 
 /// The mass properties of a box, a ball, … as a body's. Its frame must be the principal
