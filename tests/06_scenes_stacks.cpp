@@ -66,9 +66,10 @@ TEST_CASE("boxes that stand too far aside fall, and the scene says so") {
 TEST_CASE("a small stack is held by the direct solver where it was put") {
   const auto stack = run("stack", "lcp", k_60_hz, 2, {{"n", 3}});
 
-  // The slop of each of three contacts is all that it may sink
+  // The slop of each of three contacts is all that it may sink; on one side alone it
+  // tilts what is above, whose top is 2.5, 1.5 and 0.5 high
   CHECK(metric(*stack, "sunk") <= 3 * 5e-4 + 64 * k_u);
-  CHECK(metric(*stack, "drift_max") <= 1e-3);
+  CHECK(metric(*stack, "drift_max") <= (2.5 + 1.5 + 0.5) * 5e-4 + 64 * k_u);
 }
 
 TEST_CASE("what holds a heavy box on a light one is their weight") {
