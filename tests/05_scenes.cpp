@@ -55,7 +55,7 @@ TEST_CASE("every scene runs with every method, stays finite, gives the same agai
       DrawList list;
       one->draw_reference(list);
       one->draw(list);
-      CHECK(list.shapes.size() >= 1);
+      CHECK(!list.shapes.empty());
     }
   }
 }

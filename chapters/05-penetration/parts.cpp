@@ -186,7 +186,8 @@ std::vector<Metric> OverlapRun::metrics() const {
 
 glm::vec3 OverlapRun::picture(const glm::dvec3& p) const {
   const auto column = static_cast<float>(setup_.lane % columns());
-  const auto row = static_cast<float>(setup_.lane / columns());
+  const std::size_t row_index = setup_.lane / columns();
+  const auto row = static_cast<float>(row_index);
   const glm::vec2 cell(column - static_cast<float>(columns() - 1) / 2, -row);
   const glm::vec3 here((p - glm::dvec3(origin(), 0, 0)) / size());
   return here + glm::vec3(lanes_.apart * cell, 0);
@@ -229,7 +230,8 @@ void OverlapRun::draw(DrawList& list) const {
 
 CameraPose OverlapRun::camera(const CameraPose& usual) const {
   // Wide and high enough for all lanes in a picture of 4 by 3
-  const auto rows = static_cast<float>((setup_.lanes - 1) / columns() + 1);
+  const std::size_t row_count = (setup_.lanes - 1) / columns() + 1;
+  const auto rows = static_cast<float>(row_count);
   const float across = lanes_.apart.x * static_cast<float>(columns()) * 3 / 4;
   const float high = 1.15F * std::max(across, lanes_.apart.y * rows);
   CameraPose pose = usual;
