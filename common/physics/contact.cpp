@@ -254,14 +254,18 @@ void find_pairs(std::span<const RigidBody> bodies, std::span<const Collider> col
   std::ranges::sort(search.order, {},
                     [&](std::uint32_t i) { return std::tuple(boxes[i].low[axis], i); });
 
+  search.sorted.clear();
+  for (const std::uint32_t i : search.order) search.sorted.push_back(boxes[i]);
+
   search.pairs.clear();
   for (std::size_t i = 0; i < search.order.size(); ++i) {
     const std::uint32_t first = search.order[i];
+    const Bounds& box = search.sorted[i];
     const bool first_is_static = is_static(bodies[colliders[first].body]);
     for (std::size_t k = i + 1; k < search.order.size(); ++k) {
+      if (search.sorted[k].low[axis] > box.high[axis]) break;
+      if (!overlap(box, search.sorted[k])) continue;
       const std::uint32_t other = search.order[k];
-      if (boxes[other].low[axis] > boxes[first].high[axis]) break;
-      if (!overlap(boxes[first], boxes[other])) continue;
       const std::uint32_t body = colliders[other].body;
       if (body == colliders[first].body) continue;
       if (first_is_static && is_static(bodies[body])) continue;

@@ -85,6 +85,7 @@ struct ContactSearch {
   std::vector<Real> reaches;         ///< [m] how far their surfaces may get in the step
   std::vector<Bounds> boxes;         ///< around all places that they may get to
   std::vector<std::uint32_t> order;  ///< of the boxes, by their lower ends
+  std::vector<Bounds> sorted;        ///< the boxes in that order
   std::vector<ColliderPair> pairs;   ///< whose boxes overlap, a < b, ascending
 };
 
