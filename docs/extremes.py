@@ -75,6 +75,8 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("chapter", help="such as 01-particles")
     parser.add_argument("--method", help="only the rows that name this method")
+    parser.add_argument("--every", type=int, default=1, metavar="N",
+                        help="only one row of N: for the sanitizers, which take long")
     parser.add_argument("--bin", type=Path, default=ROOT / "build/release/bin")
     options = parser.parse_args()
     file = ROOT / "chapters" / options.chapter / "extremes.json"
@@ -84,7 +86,7 @@ def main() -> int:
             print(f"extremes: there is no {needed}", file=sys.stderr)
             return 2
     rows = [row for row in json.loads(file.read_text(encoding="utf-8"))
-            if options.method is None or options.method in row["args"]]
+            if options.method is None or options.method in row["args"]][::options.every]
 
     jobs = [(row, precision) for row in rows for precision in PRECISIONS]
     with ThreadPoolExecutor(2) as pool:
