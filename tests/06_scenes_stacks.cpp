@@ -40,7 +40,7 @@ TEST_CASE("scenes of friction and of stacks stay finite and give the same again"
       DrawList list;
       one->draw_reference(list);
       one->draw(list);
-      CHECK(list.shapes.size() >= 1);
+      CHECK(!list.shapes.empty());
     }
   }
 }

@@ -38,7 +38,7 @@ class OneImpact : public Simulation {
   Setup setup_;
   RigidBody rod_;
   Impact impact_;
-  Vec3 J_{0};
+  Vec3 impulse_{0};
   double time_ = 0, energy_before_ = 0, closing_ = 0, parting_ = 0, slip_ = 0;
   bool has_met_ = false;
   Trail trail_;
@@ -75,8 +75,8 @@ void OneImpact::fly(Real h) {
 void OneImpact::meet() {
   RigidBody floor;
   closing_ = -static_cast<double>(relative_velocity(floor, rod_, impact_.point).y);
-  J_ = find_impact_law(setup_.method)->impulse(floor, rod_, impact_);
-  apply_impulse(floor, rod_, impact_.point, J_);
+  impulse_ = find_impact_law(setup_.method)->impulse(floor, rod_, impact_);
+  apply_impulse(floor, rod_, impact_.point, impulse_);
   const Vec3 v = relative_velocity(floor, rod_, impact_.point);
   parting_ = static_cast<double>(v.y);
   slip_ = static_cast<double>(std::hypot(v.x, v.z));
@@ -104,8 +104,8 @@ std::vector<BodyState> OneImpact::bodies() const {
 }
 
 std::vector<Metric> OneImpact::metrics() const {
-  const double normal = static_cast<double>(J_.y);
-  const double along = static_cast<double>(std::hypot(J_.x, J_.z));
+  const double normal = static_cast<double>(impulse_.y);
+  const double along = static_cast<double>(std::hypot(impulse_.x, impulse_.z));
   return {{"energy_gained", "J", energy() - energy_before_},
           {"energy_before", "J", energy_before_},
           {"energy_after", "J", energy()},
@@ -118,12 +118,11 @@ std::vector<Metric> OneImpact::metrics() const {
 
 // Two laws in a row, and the second row below
 glm::vec3 OneImpact::picture(const Vec3& place) const {
-  const auto column = static_cast<float>(setup_.lane % 2);
-  const auto rows = static_cast<float>((setup_.lanes - 1) / 2);
-  const auto row = rows - static_cast<float>(setup_.lane / 2);
+  const std::size_t rows = (setup_.lanes - 1) / 2, row = rows - setup_.lane / 2;
+  const auto column = static_cast<float>(setup_.lane % 2), up = static_cast<float>(row);
   const float left = setup_.lanes > 1 ? -k_apart / 2 : 0;
   return glm::vec3(place)
-         + glm::vec3(left + k_apart * column, k_above + k_apart * row, 0);
+         + glm::vec3(left + k_apart * column, k_above + k_apart * up, 0);
 }
 
 void OneImpact::draw(DrawList& list) const {
@@ -145,8 +144,10 @@ void OneImpact::draw(DrawList& list) const {
     list.lines.push_back({.points = {at, at + size * glm::vec3(side, 1, 0)},
                           .color = k_muted,
                           .dash = Dash::dashed});
-  list.arrows.push_back(
-      {.from = at, .to = at + size * glm::vec3(J_), .color = k_force, .width = 5});
+  list.arrows.push_back({.from = at,
+                         .to = at + size * glm::vec3(impulse_),
+                         .color = k_force,
+                         .width = 5});
 }
 
 std::vector<Method> all_laws() {
