@@ -58,9 +58,8 @@ TEST_CASE("boxes that stand too far aside fall, and the scene says so") {
   // Each overhangs the one below by more than half
   const auto stack =
       run("stack", "substeps", k_60_hz, 2, {{"n", 3}, {"aside", 0.5}, {"gap", 0.1}});
-  CHECK(metric(*stack, "sunk") > 0.1);
-  const auto fallen = run("stack", "sequential_impulses", k_60_hz, 10, {{"n", 40}});
-  CHECK(metric(*fallen, "stands") + metric(*fallen, "fallen") == 1);
+  CHECK(metric(*stack, "fallen") == 1);
+  CHECK(metric(*stack, "stands") == 0);
 }
 
 TEST_CASE("a small stack is held by the direct solver where it was put") {
@@ -96,13 +95,18 @@ TEST_CASE(
 TEST_CASE("a pyramid keeps its shape") {
   const auto pyramid = run("pyramid", "substeps", k_60_hz, 3, {{"base", 8}});
   CHECK(metric(*pyramid, "stood_until") == Approx(3));
-  CHECK(metric(*pyramid, "drift_max") < 0.05);
+
+  // Neighbours leave a gap of a tenth: two that drift by half of it meet. A contact may
+  // be as deep as the margin within which it is looked for
+  CHECK(metric(*pyramid, "drift_max") < 0.1 / 2);
   CHECK(metric(*pyramid, "penetration_max") < 0.01);
 }
 
 TEST_CASE("a pile comes to rest, and chance depends on its seed alone") {
   const auto pile = run("pile", "substeps", k_60_hz, 8, {{"n", 30}, {"balls", 0}});
   CHECK(metric(*pile, "moves_until") < 8);
+
+  // No deeper than the margin within which contacts are looked for
   CHECK(metric(*pile, "penetration") < 0.01);
 
   std::set<double> energies;

@@ -49,11 +49,10 @@ inline void run(World& world, int steps, Real dt = k_60_hz) {
 /// Kinetic and of height [J].
 inline double energy(const World& world) {
   double sum = 0;
+  const glm::dvec3 g(world.settings.gravity);
   for (const RigidBody& body : world.bodies)
-    if (body.inverse_mass > 0)
-      sum += double(kinetic_energy(body))
-             - double(glm::dot(world.settings.gravity, body.position))
-                   / double(body.inverse_mass);
+    sum +=
+        kinetic_energy(body) - mass_of(body) * glm::dot(g, glm::dvec3(body.position));
   return sum;
 }
 

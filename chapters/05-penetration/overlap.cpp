@@ -73,22 +73,11 @@ Real deepest(const Overlap& overlap) {
   return depth;
 }
 
-double kinetic_energy(const RigidBody& body) {
-  if (body.inverse_mass == 0) return 0;
-  const glm::dvec3 v(body.velocity), spin(rotation_of(body).omega);
-  const glm::dvec3 inertia = 1.0 / glm::dvec3(body.inverse_inertia);
-  return glm::dot(v, v) / (2 * double(body.inverse_mass))
-         + glm::dot(inertia, spin * spin) / 2;
-}
-
 double total_energy(const Overlap& overlap) {
   double energy = 0;
-  for (const RigidBody& body : overlap.bodies) {
-    if (body.inverse_mass == 0) continue;
-    energy +=
-        kinetic_energy(body)
-        + double(overlap.gravity) * double(body.position.y) / double(body.inverse_mass);
-  }
+  for (const RigidBody& body : overlap.bodies)
+    energy += kinetic_energy(body)
+              + mass_of(body) * double(overlap.gravity) * double(body.position.y);
   return energy;
 }
 

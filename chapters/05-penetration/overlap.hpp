@@ -34,7 +34,6 @@ long long step(Overlap& overlap, PenetrationStep way_out, Real dt);
 Real deepest(const Overlap& overlap);
 
 /// Kinetic energy and potential energy over y = 0 [J].
-double kinetic_energy(const RigidBody& body);
 double total_energy(const Overlap& overlap);
 
 /// Both bodies of a contact by half of its depth, whatever their masses: what Formula 4

@@ -29,7 +29,7 @@ class OneImpact : public Simulation {
 
  private:
   double parameter(const char* name) const { return setup_.parameters.at(name); }
-  double energy() const { return static_cast<double>(kinetic_energy(rod_)); }
+  double energy() const { return kinetic_energy(rod_); }
   Vec3 tip() const;
   glm::vec3 picture(const Vec3& place) const;
   void fly(Real h);

@@ -89,62 +89,25 @@ Collider floor_collider(double friction, double restitution) {
   return collider_of(HalfSpace{{0, 1, 0}, 0}, friction, restitution);
 }
 
-double mass_of(const RigidBody& body) {
-  return 1 / static_cast<double>(body.inverse_mass);
-}
-
-namespace {
-
-// [kg m²/s] about the centre of mass, world frame. What nothing turns has none
-glm::dvec3 spin_of(const RigidBody& body) {
-  const glm::dquat q(body.orientation);
-  const glm::dvec3 omega = glm::conjugate(q) * glm::dvec3(body.angular_velocity);
-  glm::dvec3 L(0);
-  for (glm::length_t i = 0; i < 3; ++i)
-    if (body.inverse_inertia[i] > 0)
-      L[i] = omega[i] / static_cast<double>(body.inverse_inertia[i]);
-  return q * L;
-}
-
-void for_each_moving(const World& world, const auto& visit) {
-  for (const RigidBody& body : world.bodies)
-    if (body.inverse_mass > 0) visit(body);
-}
-
-}  // namespace
-
 double kinetic_energy_of(const World& world) {
   double sum = 0;
-  for_each_moving(world, [&](const RigidBody& body) {
-    const glm::dvec3 v(body.velocity), omega(body.angular_velocity);
-    sum += (mass_of(body) * glm::dot(v, v) + glm::dot(omega, spin_of(body))) / 2;
-  });
+  for (const RigidBody& body : world.bodies) sum += kinetic_energy(body);
   return sum;
 }
 
 double energy_of(const World& world) {
-  double sum = kinetic_energy_of(world);
+  double sum = 0;
   const glm::dvec3 g(world.settings.gravity);
-  for_each_moving(world, [&](const RigidBody& body) {
-    sum -= mass_of(body) * glm::dot(g, glm::dvec3(body.position));
-  });
+  for (const RigidBody& body : world.bodies)
+    sum +=
+        kinetic_energy(body) - mass_of(body) * glm::dot(g, glm::dvec3(body.position));
   return sum;
 }
 
 glm::dvec3 momentum_of(const World& world) {
   glm::dvec3 sum(0);
-  for_each_moving(world, [&](const RigidBody& body) {
+  for (const RigidBody& body : world.bodies)
     sum += mass_of(body) * glm::dvec3(body.velocity);
-  });
-  return sum;
-}
-
-glm::dvec3 angular_momentum_of(const World& world, const glm::dvec3& about) {
-  glm::dvec3 sum(0);
-  for_each_moving(world, [&](const RigidBody& body) {
-    const glm::dvec3 arm = glm::dvec3(body.position) - about;
-    sum += glm::cross(arm, mass_of(body) * glm::dvec3(body.velocity)) + spin_of(body);
-  });
   return sum;
 }
 

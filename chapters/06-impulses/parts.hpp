@@ -47,15 +47,11 @@ Collider floor_collider(double friction, double restitution);
 
 // Of all bodies that move, in double.
 
-/// [kg]; infinite for a static body.
-double mass_of(const RigidBody& body);
-
 /// [J] of motion and, from the origin's height, in the world's gravity.
 double kinetic_energy_of(const World& world);
 double energy_of(const World& world);
 
-/// [kg m/s], and [kg m²/s] about the point [m].
+/// [kg m/s]
 glm::dvec3 momentum_of(const World& world);
-glm::dvec3 angular_momentum_of(const World& world, const glm::dvec3& about);
 
 }  // namespace timestep::inline TIMESTEP_PRECISION::chapter_06

@@ -30,7 +30,9 @@ class WorldRun : public Simulation {
   void observe() final;
   std::vector<BodyState> bodies() const final;
   std::vector<Metric> metrics() const final;
-  long long evaluations() const final { return contacts_solved_; }
+  long long evaluations() const final {
+    return world_.room.solved + world_.penetration_room.solved;
+  }
   long long body_count() const final;
   void draw(DrawList& list) const override;
   CameraPose camera(const CameraPose& usual) const override;
@@ -98,7 +100,7 @@ class WorldRun : public Simulation {
   World world_;
   glm::dvec3 origin_;
   std::vector<Seen> seen_;
-  long long steps_ = 0, contacts_solved_ = 0;
+  long long steps_ = 0;
 
   // Looked at after each step, as things then are
   ContactSearch search_;

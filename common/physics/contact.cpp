@@ -66,9 +66,9 @@ void place(std::span<const RigidBody> bodies, std::span<const Collider> collider
   }
 }
 
-bool overlap(const Bounds& a, const Bounds& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y
-         && b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
+// Along one axis. Without a branch: which of many comparisons fails is hard to predict
+bool overlap(const Bounds& a, const Bounds& b, glm::length_t axis) {
+  return bool(int(a.low[axis] <= b.high[axis]) & int(b.low[axis] <= a.high[axis]));
 }
 
 // The axis along which the boxes' middles are spread most, so that fewest overlap
@@ -152,11 +152,12 @@ Real closing_speed(const Mover& a, const Mover& b, const Vec3& n) {
 
 // A plane between two boxes, which is quickly found; of other shapes none, at no
 // distance
-Separation plane_between(const Mover& a, const Mover& b) {
-  const auto* const box_a = std::get_if<Box>(&a.collider.shape);
-  const auto* const box_b = std::get_if<Box>(&b.collider.shape);
+Separation plane_between(const Shape& a, const Pose& pose_a, const Shape& b,
+                         const Pose& pose_b) {
+  const auto* const box_a = std::get_if<Box>(&a);
+  const auto* const box_b = std::get_if<Box>(&b);
   if (box_a == nullptr || box_b == nullptr) return {};
-  return sat(*box_a, a.pose, *box_b, b.pose).separation;
+  return sat(*box_a, pose_a, *box_b, pose_b).separation;
 }
 
 // When a pair that is apart will be within a hundredth of the margin, at most dt: on
@@ -165,8 +166,10 @@ Real meeting_time(const Mover& a, const Mover& b, Real margin, Real dt) {
   constexpr int k_most_steps = 16;
   Real time = 0;
   for (int i = 0; i < k_most_steps; ++i) {
-    const Separation s = separation(a.collider.shape, pose_after(a, time),
-                                    b.collider.shape, pose_after(b, time));
+    const Pose pose_a = pose_after(a, time), pose_b = pose_after(b, time);
+    Separation s = plane_between(a.collider.shape, pose_a, b.collider.shape, pose_b);
+    if (s.distance <= margin / 100)
+      s = separation(a.collider.shape, pose_a, b.collider.shape, pose_b);
     if (s.distance <= margin / 100) return time;
     const Real closing = closing_speed(a, b, s.normal);
     if (closing * (dt - time) <= s.distance) return dt;
@@ -249,7 +252,8 @@ Manifold touch(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& p
 void find_pairs(std::span<const RigidBody> bodies, std::span<const Collider> colliders,
                 ContactSearch& search) {
   const std::vector<Bounds>& boxes = search.boxes;
-  const glm::length_t axis = widest_axis(boxes);
+  const glm::length_t axis = widest_axis(boxes), next = (axis + 1) % 3,
+                      last = (axis + 2) % 3;
   keep_order(boxes.size(), search.order);
   std::ranges::sort(search.order, {},
                     [&](std::uint32_t i) { return std::tuple(boxes[i].low[axis], i); });
@@ -264,7 +268,9 @@ void find_pairs(std::span<const RigidBody> bodies, std::span<const Collider> col
     const bool first_is_static = is_static(bodies[colliders[first].body]);
     for (std::size_t k = i + 1; k < search.order.size(); ++k) {
       if (search.sorted[k].low[axis] > box.high[axis]) break;
-      if (!overlap(box, search.sorted[k])) continue;
+      const Bounds& beside = search.sorted[k];
+      if (!(int(overlap(box, beside, next)) & int(overlap(box, beside, last))))
+        continue;
       const std::uint32_t other = search.order[k];
       const std::uint32_t body = colliders[other].body;
       if (body == colliders[first].body) continue;
@@ -290,7 +296,9 @@ void find_contacts(std::span<const RigidBody> bodies,
     const Real reach = search.reaches[i] + search.reaches[k];
 
     // Most that are fast and near stay on their sides of a plane
-    const Separation plane = reach > margin ? plane_between(a, b) : Separation{};
+    const Separation plane = reach > margin ? plane_between(a.collider.shape, a.pose,
+                                                            b.collider.shape, b.pose)
+                                            : Separation{};
     const bool is_apart = plane.distance > margin;
     const Real room = plane.distance - margin;
     if (is_apart && closing_speed(a, b, plane.normal) * dt <= room) continue;

@@ -259,6 +259,7 @@ void warm_start(SolverRoom& room) {
 }
 
 void sweep(SolverRoom& room, bool use_pyramid) {
+  room.solved += static_cast<long long>(room.rows.size());
   for_each_row(
       room, [&](ContactRow& row, const SolverBody& a, const SolverBody& b, Motion& of_a,
                 Motion& of_b) { resolve(row, a, b, of_a, of_b, use_pyramid); });

@@ -101,6 +101,7 @@ struct SolverRoom {
   std::vector<ContactRow> rows;
   std::vector<RollingRow> rolling;
   std::vector<Real> closing;  ///< [m/s] of each contact: for `worst_first`
+  long long solved = 0;       ///< how often an impulse was computed for a contact
 };
 
 /// Bodies and rows of a step, from where things are now.

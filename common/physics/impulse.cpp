@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/physics/penetration.hpp"
 #include "common/physics/shapes.hpp"
 
 namespace timestep::inline TIMESTEP_PRECISION {
@@ -145,7 +146,9 @@ Mat3 velocity_per_impulse(const RigidBody& a, const RigidBody& b, const Vec3& po
 
 Real effective_mass(const RigidBody& a, const RigidBody& b, const Vec3& point,
                     const Vec3& along) {
-  return 1 / glm::dot(along, velocity_per_impulse(a, b, point) * along);
+  return 1
+         / (inverse_effective_mass(a, point - a.position, along)
+            + inverse_effective_mass(b, point - b.position, along));
 }
 
 Real normal_impulse(const RigidBody& a, const RigidBody& b, const Impact& impact) {
@@ -198,26 +201,6 @@ const ImpactLaw* find_impact_law(std::string_view name) {
   for (const ImpactLaw& law : impact_laws())
     if (law.name == name) return &law;
   return nullptr;
-}
-
-Real kinetic_energy(const RigidBody& body) {
-  if (body.inverse_mass == 0) return 0;
-  const Rotation r = rotation_of(body);
-  Real twice = glm::dot(body.velocity, body.velocity) / body.inverse_mass;
-  for (glm::length_t i = 0; i < 3; ++i)
-    if (body.inverse_inertia[i] > 0)
-      twice += r.omega[i] * r.omega[i] / body.inverse_inertia[i];
-  return twice / 2;
-}
-
-Vec3 angular_momentum_about(const RigidBody& body, const Vec3& point) {
-  if (body.inverse_mass == 0) return Vec3(0);
-  const Rotation r = rotation_of(body);
-  Vec3 spin(0);
-  for (glm::length_t i = 0; i < 3; ++i)
-    if (body.inverse_inertia[i] > 0) spin[i] = r.omega[i] / body.inverse_inertia[i];
-  return turned_by(body.orientation, spin)
-         + glm::cross(body.position - point, body.velocity / body.inverse_mass);
 }
 
 }  // namespace timestep::inline TIMESTEP_PRECISION

@@ -68,10 +68,4 @@ std::span<const ImpactLaw> impact_laws();
 /// Null if there is none of that name.
 const ImpactLaw* find_impact_law(std::string_view name);
 
-/// Translation and rotation [J].
-Real kinetic_energy(const RigidBody& body);
-
-/// About a point of the world [kg m²/s], turn and orbit.
-Vec3 angular_momentum_about(const RigidBody& body, const Vec3& point);
-
 }  // namespace timestep::inline TIMESTEP_PRECISION

@@ -208,6 +208,7 @@ bool solve_directly(SolverRoom& room) {
   const LinearComplementarity problem = contact_problem(room);
   const std::size_t contacts = room.rows.size();
   const std::vector<double> z = lemke(problem, 50 * int(problem.q.size()) + 50);
+  room.solved += static_cast<long long>(contacts);
   if (z.size() != problem.q.size()) return false;
   for (std::size_t i = 0; i < contacts; ++i) {
     ContactRow& row = room.rows[i];

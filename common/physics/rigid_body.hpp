@@ -73,6 +73,37 @@ inline void set_rotation(RigidBody& body, const Rotation& r) {
   body.angular_velocity = turned_by(r.q, r.omega);
 }
 
+/// What follows is for measuring: in double, whatever the precision, so that it adds no
+/// rounding of its own. Mass [kg]; of a static body 0.
+inline double mass_of(const RigidBody& body) {
+  return body.inverse_mass > 0 ? 1 / static_cast<double>(body.inverse_mass) : 0;
+}
+
+/// (3.13) Angular momentum [kg m²/s] about the centre of mass, world frame. About axes
+/// that nothing turns a body has none.
+inline glm::dvec3 spin_of(const RigidBody& body) {
+  const glm::dquat q(body.orientation);
+  const glm::dvec3 omega = glm::conjugate(q) * glm::dvec3(body.angular_velocity);
+  glm::dvec3 L(0);
+  for (glm::length_t i = 0; i < 3; ++i)
+    if (body.inverse_inertia[i] > 0)
+      L[i] = omega[i] / static_cast<double>(body.inverse_inertia[i]);
+  return q * L;
+}
+
+/// The same about a point [m] of the world: turn and orbit.
+inline glm::dvec3 angular_momentum_about(const RigidBody& body,
+                                         const glm::dvec3& point) {
+  const glm::dvec3 arm = glm::dvec3(body.position) - point;
+  return spin_of(body) + glm::cross(arm, mass_of(body) * glm::dvec3(body.velocity));
+}
+
+/// (3.15) Kinetic energy [J], of motion and turn.
+inline double kinetic_energy(const RigidBody& body) {
+  const glm::dvec3 v(body.velocity), omega(body.angular_velocity);
+  return (mass_of(body) * glm::dot(v, v) + glm::dot(omega, spin_of(body))) / 2;
+}
+
 /// A step of dt [s]: semi-implicit Euler for the centre of mass, `method` (see
 /// rotation.hpp) for the rotation. Force and torque act through the whole step, then
 /// they are gone.

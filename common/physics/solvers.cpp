@@ -22,21 +22,28 @@ void resolve_velocities(const SolverStep& step, int sweeps, bool bounces, Real h
   }
 }
 
+// A step with contacts that do not give: out of penetrations first; then the impulses
+// that `start` sets, and sweeps, half-way through
+void with_hard_contacts(const SolverStep& step, void (*start)(SolverRoom& room)) {
+  SolverRoom& room = step.room;
+  const Real dt = step.dt;
+  step.out_of_penetration.step(step.bodies, step.contacts, step.penetration, dt,
+                               step.penetration_room);
+  prepare(step.bodies, step.contacts, step.settings, room);
+  const bool bounces = look_ahead(room, step.settings, {}, dt);
+  move(room.bodies, dt / 2);
+  accelerate(room.bodies, dt);
+  start(room);
+  resolve_velocities(step, step.settings.iterations, bounces, dt);
+  move(room.bodies, dt / 2);
+  correct_for_time(room, dt);
+  finish(room, dt, step.bodies, step.contacts);
+}
+
 }  // namespace
 
 void sequential_impulses(const SolverStep& step) {
-  const auto& [bodies, contacts, settings, way_out, penetration, law, dt, room, rest] =
-      step;
-  way_out.step(bodies, contacts, penetration, dt, rest);
-  prepare(bodies, contacts, settings, room);
-  const bool bounces = look_ahead(room, settings, {}, dt);
-  move(room.bodies, dt / 2);
-  accelerate(room.bodies, dt);
-  warm_start(room);
-  resolve_velocities(step, settings.iterations, bounces, dt);
-  move(room.bodies, dt / 2);
-  correct_for_time(room, dt);
-  finish(room, dt, bodies, contacts);
+  with_hard_contacts(step, warm_start);
 }
 
 void substeps(const SolverStep& step) {
@@ -68,18 +75,9 @@ void substeps(const SolverStep& step) {
 }
 
 void direct(const SolverStep& step) {
-  SolverRoom& room = step.room;
-  step.out_of_penetration.step(step.bodies, step.contacts, step.penetration, step.dt,
-                               step.penetration_room);
-  prepare(step.bodies, step.contacts, step.settings, room);
-  const bool bounces = look_ahead(room, step.settings, {}, step.dt);
-  move(room.bodies, step.dt / 2);
-  accelerate(room.bodies, step.dt);
-  if (!solve_directly(room)) warm_start(room);
-  resolve_velocities(step, step.settings.iterations, bounces, step.dt);
-  move(room.bodies, step.dt / 2);
-  correct_for_time(room, step.dt);
-  finish(room, step.dt, step.bodies, step.contacts);
+  with_hard_contacts(step, [](SolverRoom& room) {
+    if (!solve_directly(room)) warm_start(room);
+  });
 }
 
 std::span<const Solver> solvers() {

@@ -37,15 +37,46 @@ struct HasGoodSize {
   }
 };
 
+struct Named {
+  const char* name;
+  Real value;
+};
+
+// What is wrong with a number that says how to solve; empty if nothing is
+std::string settings_fault(const World& world) {
+  const SolverSettings& s = world.settings;
+  const PenetrationSettings& p = world.penetration;
+  if (!is_finite(s.gravity)) return "gravity is not finite";
+  if (s.substeps < 1) return "there are no substeps";
+  for (const int count : {s.iterations, s.impact_iterations, s.impact_rounds,
+                          s.contacts_at_most, p.iterations})
+    if (count < 0) return "a number of iterations is negative";
+  const Named numbers[] = {{"margin", world.margin},
+                           {"velocity_epsilon", s.velocity_epsilon},
+                           {"contact_frequency", s.contact_frequency},
+                           {"damping_ratio", s.damping_ratio},
+                           {"push_speed", s.push_speed},
+                           {"restitution_threshold", s.restitution_threshold},
+                           {"static_speed", s.static_speed},
+                           {"epsilon", p.epsilon},
+                           {"slop", p.slop},
+                           {"beta", p.beta},
+                           {"sleep.speed", world.sleep.speed},
+                           {"sleep.turn", world.sleep.turn},
+                           {"sleep.time", world.sleep.time}};
+  for (const auto& [name, value] : numbers)
+    if (!(std::isfinite(value) && value >= 0))
+      return std::string(name) + " is negative or not finite";
+  return "";
+}
+
 void check(const World& world, Real dt) {
   if (!is_positive(dt)) throw WorldError("dt is not positive");
   if (world.solver == nullptr) throw WorldError("no such solver");
   if (world.out_of_penetration == nullptr) throw WorldError("no such way out");
   if (world.impact_law == nullptr) throw WorldError("no such impact law");
-  if (world.settings.substeps < 1) throw WorldError("there are no substeps");
-  if (!is_finite(world.settings.gravity)) throw WorldError("gravity is not finite");
-  if (!(std::isfinite(world.margin) && world.margin >= 0))
-    throw WorldError("the margin is negative");
+  const std::string wrong = settings_fault(world);
+  if (!wrong.empty()) throw WorldError(wrong);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const std::string fault = body_fault(world.bodies[i]);
     if (!fault.empty()) throw WorldError("body " + std::to_string(i) + ": " + fault);

@@ -50,6 +50,7 @@ void resolve_velocities(const SolverStep& step, std::vector<Real>& closing) {
         step.impact_law.impulse(a, b, impact_at(step, primary, *fastest));
     apply_impulse(a, b, primary.position, impulse);
     primary.impulse += impulse;
+    ++step.room.solved;
 
     // (6.8)
     const auto is_moved = [&](std::uint32_t body) {

@@ -169,7 +169,7 @@ Json two_body_impulse(const Json& inputs) {
                       .friction = Real(truth::not_negative(inputs, "mu"))};
 
   const Vec3 before = relative_velocity(a, b, impact.point);
-  const Real energy = kinetic_energy(a) + kinetic_energy(b);
+  const double energy = kinetic_energy(a) + kinetic_energy(b);
   const Vec3 J = law->impulse(a, b, impact);
   apply_impulse(a, b, impact.point, J);
   const Vec3 after = relative_velocity(a, b, impact.point);
@@ -189,11 +189,12 @@ Json two_body_impulse(const Json& inputs) {
       {"relative_normal_velocity_before", double(glm::dot(before, impact.normal))},
       {"relative_normal_velocity_after", double(parting)},
       {"tangential_speed_after", double(glm::length(after - parting * impact.normal))},
-      {"kinetic_energy_before", double(energy)},
-      {"kinetic_energy_after", double(kinetic_energy(a) + kinetic_energy(b))},
+      {"kinetic_energy_before", energy},
+      {"kinetic_energy_after", kinetic_energy(a) + kinetic_energy(b)},
       {"momentum_after", json(momentum)},
       {"angular_momentum_after_about_origin",
-       json(angular_momentum_about(a, Vec3(0)) + angular_momentum_about(b, Vec3(0)))}};
+       json(angular_momentum_about(a, glm::dvec3(0))
+            + angular_momentum_about(b, glm::dvec3(0)))}};
 }
 
 }  // namespace
