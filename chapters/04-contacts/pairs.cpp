@@ -1,12 +1,11 @@
 // All pairs of shapes in a grid, in motion, with what a method finds between them.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 #include "chapters/04-contacts/judgement.hpp"
+#include "chapters/04-contacts/pair_grid.hpp"
 #include "chapters/04-contacts/parts.hpp"
 #include "common/graphics/palette.hpp"
 
@@ -15,26 +14,20 @@ namespace {
 
 using double_precision::chapter_04::Reference;
 
-constexpr std::array k_kinds{0, 1, 2, 3, 4, 5, 7, k_half_space};
+using specimens::GridPair;
+
 constexpr int k_columns = 7;
-constexpr double k_size = 0.34;  // [m] half a body's width
 
 // One pair of the grid, and what was found last
 struct Cell {
-  Description like_a, like_b;
+  GridPair pair;
   Specimen a, b;
   Reference reference;
-  int index;
   Separation answer{};
   Manifold manifold{};
 
-  Cell(const Description& a_like, const Description& b_like, int i)
-      : like_a(a_like),
-        like_b(b_like),
-        a(a_like),
-        b(b_like),
-        reference(a_like, b_like),
-        index(i) {}
+  explicit Cell(const GridPair& like)
+      : pair(like), a(like.a), b(like.b), reference(like.a, like.b) {}
 };
 
 class Pairs : public Simulation {
@@ -53,7 +46,6 @@ class Pairs : public Simulation {
   void draw_reference(DrawList& list) const override;
 
  private:
-  Placement place_of_a(const Cell& cell) const;
   Placement place_of_b(const Cell& cell) const;
   glm::vec3 middle(const Cell& cell) const;
   bool takes(const Cell& cell) const {
@@ -70,45 +62,21 @@ class Pairs : public Simulation {
 };
 
 Pairs::Pairs(const Setup& setup) : setup_(setup), method_(method_named(setup.method)) {
-  // Half-spaces come first: the other body moves
-  for (std::size_t i = 0; i < k_kinds.size(); ++i) {
-    for (std::size_t j = i; j < k_kinds.size(); ++j) {
-      if (k_kinds[i] == k_half_space) continue;
-      const bool plane = k_kinds[j] == k_half_space;
-      const Description one{k_kinds[i], k_size, 1}, other{k_kinds[j], k_size, 1};
-      cells_.push_back(std::make_unique<Cell>(plane ? other : one, plane ? one : other,
-                                              static_cast<int>(cells_.size())));
-    }
-  }
+  for (const GridPair& pair : specimens::grid_pairs(setup.parameters.at("common") != 0))
+    cells_.push_back(std::make_unique<Cell>(pair));
   ask();
 }
 
-double time_of(const Setup& setup, long long steps) {
-  return static_cast<double>(steps) * setup.dt;
-}
-
-Placement Pairs::place_of_a(const Cell& cell) const {
-  if (cell.like_a.kind == k_half_space) return {};
-  return {{0, 0, 0}, glm::angleAxis(0.3 + 0.5 * cell.index, glm::dvec3(0.6, 0.8, 0))};
-}
-
-// In and out along a direction of its own, turning about another
 Placement Pairs::place_of_b(const Cell& cell) const {
-  const double t = time_of(setup_, steps_), turn = 0.7 * cell.index;
-  const double reach = setup_.parameters.at("near")
-                       + setup_.parameters.at("swing")
-                             * (1 - std::cos(2 * std::numbers::pi * t / 4 + turn)) / 2;
-  const bool plane = cell.like_a.kind == k_half_space;
-  const glm::dvec3 way =
-      plane ? glm::dvec3(0, 1, 0) : glm::dvec3(std::cos(turn), std::sin(turn), 0);
-  const glm::dvec3 axis = glm::normalize(glm::dvec3(1, std::sin(turn), std::cos(turn)));
-  return {reach * way, glm::angleAxis(turn + 0.8 * t, axis)};
+  const double t = static_cast<double>(steps_) * setup_.dt;
+  return specimens::place_of_b(
+      cell.pair, {setup_.parameters.at("near"), setup_.parameters.at("swing")}, t);
 }
 
 void Pairs::ask() {
   for (const auto& cell : cells_) {
     if (!takes(*cell)) continue;
-    const Pose a = pose_of(place_of_a(*cell)), b = pose_of(place_of_b(*cell));
+    const Pose a = pose_of(place_of_a(cell->pair)), b = pose_of(place_of_b(*cell));
     cell->answer = method_.query(cell->a.shape, a, cell->b.shape, b);
     cell->manifold = contact_manifold(cell->a.shape, a, cell->b.shape, b, cell->answer);
     evaluations_ += cell->answer.iterations;
@@ -123,9 +91,9 @@ void Pairs::step() {
 void Pairs::observe() {
   for (const auto& cell : cells_) {
     if (!takes(*cell)) continue;
-    const Placement a = place_of_a(*cell), b = place_of_b(*cell);
+    const Placement a = place_of_a(cell->pair), b = place_of_b(*cell);
     judge(worst_, cell->answer, {cell->a.shape, pose_of(a), cell->b.shape, pose_of(b)},
-          cell->reference.at(a, b), k_size);
+          cell->reference.at(a, b), cell->pair.a.size);
   }
 }
 
@@ -141,7 +109,7 @@ std::vector<BodyState> Pairs::bodies() const {
     const auto name = [](const Description& like) {
       return std::string(k_kind_names[static_cast<std::size_t>(like.kind)]);
     };
-    states.push_back({.name = name(cell->like_a) + "/" + name(cell->like_b),
+    states.push_back({.name = name(cell->pair.a) + "/" + name(cell->pair.b),
                       .position = b.position,
                       .orientation = b.orientation});
   }
@@ -168,7 +136,7 @@ std::vector<Metric> Pairs::metrics() const {
 
 // Of the cell, in rows from the top left
 glm::vec3 Pairs::middle(const Cell& cell) const {
-  const int column = cell.index % k_columns, row = cell.index / k_columns;
+  const int column = cell.pair.index % k_columns, row = cell.pair.index / k_columns;
   constexpr int k_middle = k_columns / 2;
   return {1.75F * static_cast<float>(column - k_middle),
           3.1F - 1.6F * static_cast<float>(row), 0};
@@ -188,7 +156,7 @@ void Pairs::draw_reference(DrawList& list) const {
       const glm::vec3 at = middle(*cell) + glm::vec3(place.position);
       draw_specimen(list, specimen, placed(at, place.orientation), color);
     };
-    show(cell->a, place_of_a(*cell), k_color_a);
+    show(cell->a, place_of_a(cell->pair), k_color_a);
     show(cell->b, place_of_b(*cell), with_alpha(k_color_b, 0.5F));
   }
   list.ground_height.reset();
@@ -203,7 +171,9 @@ Scene pairs_scene() {
       .methods = all_choices(),
       .default_methods = {"gjk_epa"},
       .parameters = {{"near", "m", "least distance of the centres", 0.1, 0, 2},
-                     {"swing", "m", "and how much farther they go", 0.8, 0, 10}},
+                     {"swing", "m", "and how much farther they go", 0.8, 0, 10},
+                     {"common", "", "1: only shapes that most libraries have", 0, 0, 1,
+                      true}},
       .dt = 1.0 / 60,
       .duration = 4,
       .camera = {.target = {0, 0.4F, 0}, .distance = 13, .yaw = 0, .pitch = 0.08F},
