@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from book_text import ROOT, is_source, links, source_page, texts
+from book_text import ROOT, is_chapter, is_source, links, source_page, texts
 
 LANGUAGES = {".cpp": "cpp", ".hpp": "cpp", ".py": "py"}
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
@@ -40,7 +40,7 @@ def chapters() -> list[Chapter]:
     manifest = (ROOT / "cmake/manifest.cmake").read_text(encoding="utf-8")
     rows = dict(re.findall(r'^\s*"(\d\d-[\w-]+):([^"]*)"', manifest, re.MULTILINE))
     found = []
-    for page in texts()[1:]:
+    for page in filter(is_chapter, texts()):
         concepts = rows.get(page.parent.name, "").split()
         files = [ROOT / f"common/physics/{concept}{suffix}"
                  for concept in concepts for suffix in (".hpp", ".cpp")]

@@ -14,6 +14,8 @@ from html import escape
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+# Texts of docs that are pages of the book, after the chapters
+PAGES = ("extremes",)
 API = ("common/physics", "common/graphics", "common/chapter")
 
 PARTS = re.compile(
@@ -31,12 +33,19 @@ NAMESPACE = re.compile(
 
 
 def texts() -> list[Path]:
-    return [ROOT / "README.md", *sorted(ROOT.glob("chapters/*/README.md"))]
+    return [ROOT / "README.md", *sorted(ROOT.glob("chapters/*/README.md")),
+            *(ROOT / f"docs/{page}.md" for page in PAGES)]
+
+
+def is_chapter(file: Path) -> bool:
+    return file.parent.parent == ROOT / "chapters"
 
 
 def page_of(file: Path) -> str:
     """The name of a Markdown file's page, which is its file in the book as well."""
-    return "index" if file.parent == ROOT else f"chapter-{file.parent.name}"
+    if is_chapter(file):
+        return f"chapter-{file.parent.name}"
+    return "index" if file.parent == ROOT else file.stem
 
 
 def source_page(path: str) -> str:
@@ -51,9 +60,10 @@ def is_source(file: Path) -> bool:
 
 
 def anchor(file: Path, heading: str) -> str:
-    """The page's folder, then the heading as repository hosts write it in links."""
+    """The page's name, then the heading as repository hosts write it in links."""
     words = re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
-    return f"at-{file.parent.name if file.parent != ROOT else 'home'}-{words}"
+    page = file.parent.name if is_chapter(file) else file.stem
+    return f"at-{page if file.parent != ROOT else 'home'}-{words}"
 
 
 def links(text: str, file: Path) -> list[Path]:
@@ -139,5 +149,5 @@ def for_book(file: Path) -> str:
     text = file.read_text(encoding="utf-8")
     if file.suffix == ".hpp":
         return header(text)
-    end = "" if file.parent == ROOT else engine_so_far(file.parent.name)
+    end = engine_so_far(file.parent.name) if is_chapter(file) else ""
     return markdown(text, file) + end

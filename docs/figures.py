@@ -6,7 +6,7 @@ the chapter's figures.py, from the runs that runs.json declares for it:
     def energy(runs: dict[str, Run]) -> Figure: …
 
 In place of a run it may name what bench/results.json has of a kind, "bench:contacts/": the
-medians by their whole names.
+medians by their whole names; or what study/results.csv has of a problem, "study:orbit".
 
 A figure carries the digest of its runs and of that function, so that whether it is
 fresh can be told without matplotlib.
@@ -20,12 +20,13 @@ import json
 import sys
 from pathlib import Path
 
+import study_data
 import weave_bench
 from weave_runs import Chapter, WeaveError
 
 sys.dont_write_bytecode = True
 
-BENCH = "bench:"
+BENCH, STUDY = "bench:", "study:"
 
 
 def source_of(file: Path, function: str) -> str:
@@ -43,7 +44,7 @@ def runs_of(chapter: Chapter, name: str) -> list[str]:
     if name not in chapter.figures:
         raise WeaveError(f"runs.json of {chapter.name} declares no figure '{name}'")
     return [run for one in chapter.figures[name] for run in
-            ([one] if one.startswith(BENCH) else chapter.expand(one))]
+            ([one] if one.startswith((BENCH, STUDY)) else chapter.expand(one))]
 
 
 def measured(chapter: Chapter, name: str) -> dict:
@@ -56,12 +57,28 @@ def measured(chapter: Chapter, name: str) -> dict:
     return found
 
 
+def studied(chapter: Chapter, name: str) -> list[study_data.Record]:
+    """What the study found of a problem."""
+    records = study_data.published(chapter.folder.parent.parent)
+    return study_data.of_problem(records, name.removeprefix(STUDY))
+
+
+def data_of(chapter: Chapter, run: str):
+    """What a figure's function gets under the name of a run, and a text that changes
+    when it does."""
+    if run.startswith(BENCH):
+        medians = measured(chapter, run)
+        return medians, json.dumps(medians)
+    if run.startswith(STUDY):
+        records = studied(chapter, run)
+        return records, repr(records)
+    return chapter.run(run), chapter.run(run).digest
+
+
 def digest_of(chapter: Chapter, name: str, function: str) -> str:
     digest = hashlib.sha256(source_of(chapter.folder / "figures.py", function).encode())
     for run in runs_of(chapter, name):
-        what = (json.dumps(measured(chapter, run)) if run.startswith(BENCH)
-                else chapter.run(run).digest)
-        digest.update(f"{run} {what}".encode())
+        digest.update(f"{run} {data_of(chapter, run)[1]}".encode())
     return digest.hexdigest()
 
 
@@ -77,8 +94,7 @@ def draw(chapter: Chapter, name: str, function: str, digest: str) -> None:
     spec = importlib.util.spec_from_file_location("chapter_figures", file)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    runs = {run: measured(chapter, run) if run.startswith(BENCH) else chapter.run(run)
-            for run in runs_of(chapter, name)}
+    runs = {run: data_of(chapter, run)[0] for run in runs_of(chapter, name)}
     figure = getattr(module, function)(runs)
     path = chapter.folder / "figures" / f"{name}.svg"
     path.parent.mkdir(exist_ok=True)

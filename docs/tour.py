@@ -153,6 +153,18 @@ def page_scene(job: Job) -> tour_page.SceneResult:
         command=shlex.join(job.command))
 
 
+def study(bin_folder: Path, out: Path) -> str:
+    """The quick study, last of all; what went wrong, if anything did."""
+    command = [bin_folder / "study", "--quick", "--out", out / "study"]
+    try:
+        run = subprocess.run(command, cwd=ROOT, stdin=subprocess.DEVNULL, timeout=600,
+                             capture_output=True, text=True)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        return str(error)
+    said = run.stderr.strip().splitlines()
+    return "" if run.returncode == 0 else said[-1] if said else f"code {run.returncode}"
+
+
 def summary(jobs: list[Job], page: Path, seconds: float) -> str:
     states = [job.state for job in jobs]
     counts = ", ".join(f"{states.count(state)} {state}"
@@ -180,13 +192,18 @@ def main() -> int:
         list(pool.map(lambda job: render(job, assets, progress), jobs))
 
     out.mkdir(parents=True, exist_ok=True)
+    progress.say("study --quick …")
+    study_failed = study(options.bin.resolve(), out)
+    progress.say(f"study: {study_failed or 'done'}")
     page = out / "index.html"
     page.write_text(tour_page.page([page_scene(job) for job in jobs]), encoding="utf-8")
     failed = [job for job in jobs if job.state == "failed"]
     for job in failed:
         print(f"tour: {job.name} failed: {job.message}", file=sys.stderr)
+    if study_failed:
+        print(f"tour: the study failed: {study_failed}", file=sys.stderr)
     print(summary(jobs, page, progress.seconds()))
-    return 1 if failed else 0
+    return 1 if failed or study_failed else 0
 
 
 if __name__ == "__main__":

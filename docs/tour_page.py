@@ -163,6 +163,10 @@ def chapter_section(name: str, results: list[SceneResult]) -> str:
             + "".join(map(article, results)) + "</section>")
 
 
+STUDY = ('<a href="study/front.md">What no other setting beats</a>'
+         '<a href="study/study.csv">The quick study</a>')
+
+
 def page(results: list[SceneResult]) -> str:
     groups = groupby(results, key=lambda r: r.chapter["chapter"])
     chapters = [(name, list(of)) for name, of in groups]
@@ -176,4 +180,4 @@ def page(results: list[SceneResult]) -> str:
             f"<title>Timestep: the tour</title><style>{STYLE}</style></head><body>"
             "<h1>Timestep: the tour</h1>"
             '<p class="soft">Every chapter, as this machine has just computed it.</p>'
-            f"<nav>{links}</nav>{note if failed else ''}{sections}</body></html>\n")
+            f"<nav>{links}{STUDY}</nav>{note if failed else ''}{sections}</body></html>\n")

@@ -22,6 +22,7 @@ import pictures
 import weave_bench
 import weave_code
 import weave_notation
+import weave_study
 import weave_table
 from weave_marker import INLINE, Place, replace_all
 from weave_runs import ROOT, Chapter, Run, WeaveError, look_up, machine, written
@@ -144,6 +145,12 @@ class Weaver:
 
     def measured(self, place: Place) -> str:
         return weave_bench.number(self.root, place)
+
+    def study(self, place: Place) -> str:
+        return weave_study.table(self.root, place)
+
+    def studied(self, place: Place) -> str:
+        return weave_study.number(self.root, place)
 
     # --- files ------------------------------------------------------------------------
 

@@ -9,8 +9,9 @@ from typing import Callable
 
 from weave_runs import WeaveError
 
-BLOCKS = ("code", "table", "output", "figure", "picture", "notation", "bench")
-INLINE = ("value", "timing", "machine", "measured")
+BLOCKS = ("code", "table", "output", "figure", "picture", "notation", "bench",
+          "study")
+INLINE = ("value", "timing", "machine", "measured", "studied")
 OPTION = re.compile(r"(rows|columns|labels|over)=(.*)", re.DOTALL)
 # Fenced and inline code is passed over; a marker without its other end is an error
 MARKER = re.compile(

@@ -84,6 +84,7 @@ def missing_pages(book: Path, root: Path) -> list[str]:
     """A page for each chapter, one for the engine as of it, and one for each header."""
     names = [f"{kind}-{page.parent.name}" for kind in ("chapter", "common")
              for page in sorted(root.glob("chapters/*/README.md"))]
+    names += [page.stem for page in root.glob("docs/extremes.md")]
     faults = [f"there is no page {name}" for name in names
               if not (book / f"{name}.html").is_file()]
     titles = " ".join(re.findall(r"<title>(.*?)</title>",
@@ -142,6 +143,7 @@ PLANTED = [  # a file, what is added to it (nothing: it is taken away), what is 
     ("book/p.svg", "<style>p{fill:url(https://a.org/p)}</style>", "loads https://a.org/p"),
     ("book/navtree.js", '[ "Two", "two.html", null ]', "tree: two.html"),
     ("chapters/02-y/README.md", "new", "no page chapter-02-y"),
+    ("docs/extremes.md", "new", "no page extremes"),
 ]
 
 

@@ -20,6 +20,7 @@ ROOT = Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"^[ ]*```sh\n(.*?)^[ ]*```", re.DOTALL | re.MULTILINE)
 INLINE = re.compile(r"`(\./timestep [^`\n]*)`")
 LINK = re.compile(r"\]\(([^()\s:#]+)(?:#[^()\s]*)?\)")
+FENCED = re.compile(r"^[ ]*```.*?^[ ]*```", re.DOTALL | re.MULTILINE)
 # Not ours to check: everyone's commands
 COMMON = {"cd", "git", "open", "xdg-open", "sudo", "apt-get", "dnf", "pacman", "brew"}
 
@@ -155,7 +156,8 @@ def check_file(file: Path, bin_folder: Path) -> list[str]:
             check_command(words, bin_folder)
         except Fault as fault:
             faults.append(f"{file.name}:{line}: {' '.join(words)}: {fault}")
-    faults += [f"{file}: the link {link} leads nowhere" for link in LINK.findall(text)
+    prose = FENCED.sub("", text)  # a lambda in C++ looks like a link
+    faults += [f"{file}: the link {link} leads nowhere" for link in LINK.findall(prose)
                if not (file.parent / link).exists()]
     return faults
 
@@ -200,6 +202,9 @@ def self_test() -> list[str]:
         page.write_text("[a](README.md) ![b](none.png)")
         if len(check_file(page, Path(scratch))) != 1:
             failures.append("self-test: a broken link was not found")
+        page.write_text("```cpp\n[](double) {}\n```\n")
+        if check_file(page, Path(scratch)):
+            failures.append("self-test: a lambda was taken for a link")
         page.write_text("type `./timestep`, `./timestep help` or `./timestep fly`")
         if len(check_file(page, Path(scratch))) != 1:
             failures.append("self-test: a wrong command in a sentence was not found")

@@ -68,7 +68,7 @@ class SetupTest(Script):
         for words in ((), ("help",), ("--help",)):
             code, said = self.timestep(*words)
             self.assertEqual(code, 0)
-            for command in ("tour", "test", "exercise", "book", "bench", "format",
+            for command in ("tour", "test", "exercise", "book", "extremes", "bench", "format",
                             "setup"):
                 self.assertIn(f"\n  {command} ", said)
 
