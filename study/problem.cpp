@@ -1,6 +1,7 @@
 #include "study/problem.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "common/chapter/names.hpp"
 #include "common/graphics/input_error.hpp"
@@ -20,16 +21,12 @@ const std::vector<Problem>& problems() {
 }
 
 std::vector<const Problem*> chosen_problems(std::span<const std::string> names) {
-  std::vector<std::string> known;
-  for (const Problem& problem : problems()) {
-    known.push_back(problem.name);
-    known.push_back(problem.scene);
-  }
-  std::ranges::sort(known);
-  known.erase(std::ranges::unique(known).begin(), known.end());
+  std::set<std::string> known;
+  for (const Problem& problem : problems()) known.insert({problem.name, problem.scene});
   for (const std::string& name : names)
-    if (!std::ranges::binary_search(known, name))
-      throw InputError(unknown_name("scene", name, known));
+    if (!known.contains(name))
+      throw InputError(unknown_name(
+          "scene", name, std::vector<std::string>(known.begin(), known.end())));
 
   std::vector<const Problem*> chosen;
   for (const Problem& problem : problems()) {

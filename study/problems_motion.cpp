@@ -56,6 +56,25 @@ std::vector<Problem> particle_problems() {
            .dts = halved(1.0 / 15, 5)}};
 }
 
+namespace {
+
+Problem rope_problem() {
+  return {
+      .name = "rope",
+      .chapter = "02-verlet",
+      .scene = "rope",
+      .metric = "stretch_max",
+      .exact = "a rope that keeps its length",
+      .duration = 4,
+      .dts = halved(1.0 / 30, 8),
+      .axes = {{"iterations", {1, 4, 10, 40}, {"distance_constraints"}},
+               {"stiffness",
+                {1e3, 1e4, 1e5, 1e6},
+                {"semi_implicit_euler", "velocity_verlet", "rk4", "implicit_euler"}}}};
+}
+
+}  // namespace
+
 std::vector<Problem> verlet_problems() {
   const double year = 2 * std::numbers::pi;
   return {{.name = "oscillator",
@@ -108,18 +127,7 @@ std::vector<Problem> verlet_problems() {
            .duration = 4,
            .dts = halved(1.0 / 30, 7),
            .axes = {tolerances()}},
-          {.name = "rope",
-           .chapter = "02-verlet",
-           .scene = "rope",
-           .metric = "stretch_max",
-           .exact = "a rope that keeps its length",
-           .duration = 4,
-           .dts = halved(1.0 / 30, 8),
-           .axes = {
-               {"iterations", {1, 4, 10, 40}, {"distance_constraints"}},
-               {"stiffness",
-                {1e3, 1e4, 1e5, 1e6},
-                {"semi_implicit_euler", "velocity_verlet", "rk4", "implicit_euler"}}}}};
+          rope_problem()};
 }
 
 namespace {

@@ -429,9 +429,9 @@ TEST_CASE("a record of another metric, duration or number of steps does not belo
 }
 
 TEST_CASE("what cannot be is no record") {
-  for (const auto& [was, is] : {std::pair{"\"dt\":0.25", "\"dt\":0.0"},
-                                std::pair{"\"dt\":0.25", "\"dt\":\"nan\""},
-                                std::pair{"\"repeats\":0", "\"repeats\":-1"}}) {
+  for (const auto& [was, is] : {std::pair{R"("dt":0.25)", R"("dt":0.0)"},
+                                std::pair{R"("dt":0.25)", R"("dt":"nan")"},
+                                std::pair{R"("repeats":0)", R"("repeats":-1)"}}) {
     std::string line = to_line(sample("k", 1));
     line.replace(line.find(was), std::string(was).size(), is);
     INFO(line);

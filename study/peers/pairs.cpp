@@ -10,7 +10,6 @@
 namespace timestep::study {
 namespace {
 
-using chapter_04::Description;
 using chapter_04::Placement;
 using chapter_04::Reference;
 using chapter_04::Specimen;
