@@ -366,6 +366,15 @@ void find_most_accurate(Search& search) {
   if (!outcome.met) take_cheapest(search);
 }
 
+// What a choice was made by says too much good of it: starts that had no part in it
+void take_fresh_starts(Search& search) {
+  for (Probe& probe : fresh_starts(search.outcome.best.cell)) {
+    if (search.patience.is_over()) return;
+    probe.error = size_of(search.meter.error(probe.cell));
+    search.outcome.fresh.push_back(std::move(probe));
+  }
+}
+
 }  // namespace
 
 Outcome tune(const std::vector<Cell>& cells, const Wish& wish, const Meter& meter,
@@ -382,8 +391,15 @@ Outcome tune(const std::vector<Cell>& cells, const Wish& wish, const Meter& mete
     find_cheapest(search);
   else
     find_most_accurate(search);
+  if (search.outcome.met) take_fresh_starts(search);
   std::ranges::stable_sort(search.outcome.tried, {}, &Trial::cost);
   return search.outcome;
+}
+
+std::size_t held(const Outcome& outcome, const Wish& wish) {
+  const double limit = wish.kind == Wish::Kind::error ? wish.value : outcome.best.worst;
+  return static_cast<std::size_t>(std::ranges::count_if(
+      outcome.fresh, [&](const Probe& probe) { return probe.error <= limit; }));
 }
 
 }  // namespace timestep::study

@@ -49,6 +49,7 @@ struct Outcome {
   bool met = false;
   Trial best;                   ///< the answer, or what came nearest to the wish
   std::vector<Trial> tried;     ///< the cheapest first
+  std::vector<Probe> fresh;     ///< starts that had no part in the choice of an answer
   std::size_t left_out = 0;     ///< cells of which one run would have taken too long
   std::size_t not_reached = 0;  ///< cells still ahead when the time was over
 };
@@ -64,7 +65,9 @@ struct Patience {
 /// cheapest on until one serves, that is, meets the wish together with its probes; then
 /// steps between those of `cells` are tried, of this setting and of all others, down to
 /// where they would be dearer. For a budget, of each setting the shortest affordable
-/// step and two longer ones are tried, the least worst error wins. `progress` gets the
+/// step and two longer ones are tried, the least worst error wins. What is chosen
+/// because its probes are good is better there than elsewhere: while there is time, the
+/// answer is run from fresh starts too, which change it no more. `progress` gets the
 /// share done. Throws InputError if there is no time to try any cell.
 Outcome tune(const std::vector<Cell>& cells, const Wish& wish, const Meter& meter,
              const Patience& patience, const std::function<void(double)>& progress);
@@ -73,9 +76,15 @@ Outcome tune(const std::vector<Cell>& cells, const Wish& wish, const Meter& mete
 /// default. Throws std::out_of_range if the scene has none of that name.
 double setting(const Cell& cell, const std::string& name);
 
-/// Cells beside one: 3 % to either side of its step, then two other starts of its
-/// scene: the next eight seeds, or a number of the start 1 % to either side.
+/// Cells beside one: 3 % to either side of its step; other starts of its scene: the
+/// next eight seeds, or a number of the start 1 % to either side; and fresh starts:
+/// eight seeds more, or half a percent to either side.
 std::vector<Probe> neighbours(const Cell& cell);
 std::vector<Probe> other_starts(const Cell& cell);
+std::vector<Probe> fresh_starts(const Cell& cell);
+
+/// How many of the fresh starts err no more than was wished for, or, for a budget, than
+/// the worst of the answer's probes.
+std::size_t held(const Outcome& outcome, const Wish& wish);
 
 }  // namespace timestep::study

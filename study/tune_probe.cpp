@@ -43,6 +43,26 @@ Probe with_factor(const Cell& cell, const Parameter& parameter, double factor) {
   return probe;
 }
 
+// The seeds from `first` after the cell's own on, or `share` of a number to either side
+std::vector<Probe> starts(const Cell& cell, int first, double share) {
+  const std::vector<Parameter>& all = scene_of(*cell.problem).parameters;
+  const auto named = [&](std::string_view name) {
+    return std::ranges::find(all, name, &Parameter::name);
+  };
+  if (const auto seed = named("seed"); seed != all.end()) {
+    std::vector<Probe> probes;
+    for (int i = first; i < first + k_seeds; ++i)
+      probes.push_back(with_seed(cell, setting(cell, "seed") + i));
+    return probes;
+  }
+  for (const std::string_view name : k_starts) {
+    const auto found = named(name);
+    if (found == all.end() || setting(cell, found->name) == 0) continue;
+    return {with_factor(cell, *found, 1 - share), with_factor(cell, *found, 1 + share)};
+  }
+  return {};
+}
+
 }  // namespace
 
 double setting(const Cell& cell, const std::string& name) {
@@ -59,22 +79,11 @@ std::vector<Probe> neighbours(const Cell& cell) {
 }
 
 std::vector<Probe> other_starts(const Cell& cell) {
-  const std::vector<Parameter>& all = scene_of(*cell.problem).parameters;
-  const auto named = [&](std::string_view name) {
-    return std::ranges::find(all, name, &Parameter::name);
-  };
-  if (const auto seed = named("seed"); seed != all.end()) {
-    std::vector<Probe> probes;
-    for (int i = 1; i <= k_seeds; ++i)
-      probes.push_back(with_seed(cell, setting(cell, "seed") + i));
-    return probes;
-  }
-  for (const std::string_view name : k_starts) {
-    const auto found = named(name);
-    if (found == all.end() || setting(cell, found->name) == 0) continue;
-    return {with_factor(cell, *found, 0.99), with_factor(cell, *found, 1.01)};
-  }
-  return {};
+  return starts(cell, 1, 0.01);
+}
+
+std::vector<Probe> fresh_starts(const Cell& cell) {
+  return starts(cell, 1 + k_seeds, 0.005);
 }
 
 }  // namespace timestep::study

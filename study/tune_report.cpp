@@ -52,19 +52,40 @@ std::string cost_text(const Trial& trial) {
                      trial.time.repeats, 100 * trial.time.spread);
 }
 
-// Laplace's rule of succession: what held n times fails next with a chance of 1/(n + 2)
-std::string trust_text(const Trial& best, const Wish& wish) {
-  const auto seeds = std::ranges::count_if(
-      best.probes, [](const Probe& probe) { return probe.what.starts_with("seed"); });
+// Laplace's rule of succession: where k of n held, the next one fails with a chance of
+// (n - k + 1) / (n + 2)
+std::string chance_text(std::size_t held, std::size_t all) {
+  const double chance =
+      static_cast<double>(all - held + 1) / static_cast<double>(all + 2);
+  return fmt::format("expect {:.0f} % of other seeds to do worse", 100 * chance);
+}
+
+std::string fresh_text(const Outcome& outcome, const Wish& wish,
+                       const std::string& unit) {
+  const std::size_t all = outcome.fresh.size(), good = held(outcome, wish);
+  if (all == 0) return "no time was left for fresh starts";
+  std::string text = fmt::format(
+      "of {} fresh starts, which had no part in the choice, "
+      "{} hold",
+      all, good);
+  if (good < all) {
+    const Probe& worst = *std::ranges::max_element(outcome.fresh, {}, &Probe::error);
+    text += fmt::format(" ({} with {})", error_text(worst.error, unit), worst.what);
+  }
+  if (outcome.fresh.front().what.starts_with("seed"))
+    return text + ": " + chance_text(good, all);
+  return text + "; farther away nothing is known";
+}
+
+std::string trust_text(const Outcome& outcome, const Wish& wish,
+                       const std::string& unit) {
   std::string text = "  trust  ";
   if (wish.kind == Wish::Kind::error)
-    text += fmt::format("the worst of these is {:.0f} % of what is allowed; ",
-                        100 * best.worst / wish.value);
-  if (seeds > 0)
-    return text + fmt::format("of fresh seeds one in {} may do worse\n", seeds + 2);
-  if (other_starts(best.cell).empty())
+    text += fmt::format("the worst of these is {:.0f} % of what is allowed\n         ",
+                        100 * outcome.best.worst / wish.value);
+  if (other_starts(outcome.best.cell).empty())
     return text + "no other start was tried: nothing is known but this one\n";
-  return text + "farther from this start, or step, nothing is known\n";
+  return text + fresh_text(outcome, wish, unit) + "\n";
 }
 
 std::string answer_text(const Trial& best, const std::string& unit) {
@@ -162,7 +183,7 @@ std::string report(const Problem& problem, const Wish& wish, const Outcome& outc
                   problem.scene, wish_text(wish, unit), problem.exact);
   text += verdict(wish, outcome) + "\n" + answer_text(outcome.best, unit);
   if (outcome.met)
-    text += trust_text(outcome.best, wish) + copy_text(outcome.best.cell);
+    text += trust_text(outcome, wish, unit) + copy_text(outcome.best.cell);
   return text + table(outcome, unit, rows);
 }
 
@@ -171,6 +192,8 @@ nlohmann::ordered_json report_json(const Problem& problem, const Wish& wish,
   const bool by_error = wish.kind == Wish::Kind::error;
   Json tried = Json::array();
   for (const Trial& trial : outcome.tried) tried.push_back(trial_json(trial));
+  Json fresh = Json::object();
+  for (const Probe& probe : outcome.fresh) fresh[probe.what] = number(probe.error);
   Json best = trial_json(outcome.best);
   best["command"] = command_of(outcome.best.cell);
   best["code"] = code_of(outcome.best.cell);
@@ -182,6 +205,8 @@ nlohmann::ordered_json report_json(const Problem& problem, const Wish& wish,
           {"wish", {{by_error ? "error" : "us_per_frame", wish.value}}},
           {"met", outcome.met},
           {"best", best},
+          {"fresh", fresh},
+          {"held", held(outcome, wish)},
           {"tried", tried},
           {"left_out", outcome.left_out},
           {"not_reached", outcome.not_reached}};

@@ -10,14 +10,14 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# Problem, wish, metric, its limit, and starts within 1 % that are none of the probes
+# Problem, wish, metric, its limit, and starts within 1 % that it did not try
 WISHES = [
-    ("projectile", "50mm", "position_error_max", 0.05, ["speed=14.07"]),
-    ("orbit", "1e-2", "position_error_max", 1e-2, ["eccentricity=0.5025"]),
-    ("torque-free", "1deg", "attitude_error_max", 0.0174533, ["omega1=0.402"]),
-    ("sweep-boxes", "1e-4", "relative_error_max", 1e-4, ["stretch=1.005"]),
-    ("tilted-plank", "2mm", "position_error", 2e-3, ["tilt=0.402"]),
-    ("slide-to-roll", "10mm/s", "velocity_error_max", 0.01, ["speed=2.01"]),
+    ("projectile", "50mm", "position_error_max", 0.05, ["speed=14.03"]),
+    ("orbit", "1e-2", "position_error_max", 1e-2, ["eccentricity=0.502"]),
+    ("torque-free", "1deg", "attitude_error_max", 0.0174533, ["omega1=0.401"]),
+    ("sweep-boxes", "1e-4", "relative_error_max", 1e-4, ["stretch=1.004"]),
+    ("tilted-plank", "2mm", "position_error", 2e-3, ["tilt=0.401"]),
+    ("slide-to-roll", "10mm/s", "velocity_error_max", 0.01, ["speed=2.008"]),
     ("elastic-gas", "0.1%", "energy_error_max", 1e-3,
      ["seed=77", "seed=78", "seed=79", "seed=80", "seed=81"]),
 ]
@@ -81,13 +81,18 @@ def check_code(answers, compiler):
 
 
 def check_wish(program, folder, wish):
-    """Of fresh seeds the answer itself says that one in ten may do worse."""
+    """At starts that had no part in the choice: of seeds the answer itself says that one
+    in ten may do worse."""
     problem, error, metric, limit, starts = wish
     found = answer(program, problem, "--error", error, "--quick", "--seconds", "60")
     assert found["met"], f"{problem}: nothing meets {error}"
     best = found["best"]
     assert best["error"] <= best["worst"] <= limit * (1 + 1e-6), best
     assert len(best["probes"]) == (10 if len(starts) > 1 else 4), best["probes"]
+    fresh = found["fresh"]
+    assert len(fresh) == (8 if len(starts) > 1 else 2), fresh
+    assert not fresh.keys() & best["probes"].keys(), fresh
+    assert found["held"] == sum(value <= limit * (1 + 1e-6) for value in fresh.values())
     values = [abs(run_printed(best["command"], folder, start)["metrics"][metric]["value"])
               for start in starts]
     worse = sum(not value <= limit for value in values)
