@@ -36,11 +36,24 @@ Probe with_seed(const Cell& cell, double seed) {
   return probe;
 }
 
-Probe with_factor(const Cell& cell, const Parameter& parameter, double factor) {
-  Probe probe{fmt::format("{} x {}", parameter.name, factor), cell};
-  probe.cell.settings[parameter.name] = std::clamp(
-      factor * setting(cell, parameter.name), parameter.minimum, parameter.maximum);
+Probe with_factor(const Cell& cell, const std::string& name, double factor) {
+  Probe probe{fmt::format("{} x {:.5g}", name, factor), cell};
+  probe.cell.settings[name] = factor * setting(cell, name);
   return probe;
+}
+
+// `share` of a number to either side; at the end of its range, one and a half times as
+// much to the side that is left
+std::vector<Probe> around(const Cell& cell, const Parameter& parameter, double share) {
+  const double value = setting(cell, parameter.name);
+  std::vector<Probe> probes;
+  for (const double side : {-share, share}) {
+    const double moved = (1 + side) * value;
+    const bool fits = parameter.minimum <= moved && moved <= parameter.maximum;
+    probes.push_back(
+        with_factor(cell, parameter.name, 1 + (fits ? side : -1.5 * side)));
+  }
+  return probes;
 }
 
 // The seeds from `first` after the cell's own on, or `share` of a number to either side
@@ -58,7 +71,7 @@ std::vector<Probe> starts(const Cell& cell, int first, double share) {
   for (const std::string_view name : k_starts) {
     const auto found = named(name);
     if (found == all.end() || setting(cell, found->name) == 0) continue;
-    return {with_factor(cell, *found, 1 - share), with_factor(cell, *found, 1 + share)};
+    return around(cell, *found, share);
   }
   return {};
 }

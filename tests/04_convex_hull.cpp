@@ -17,11 +17,10 @@
 #include "tests/catch.hpp"
 #include "tests/polyhedra.hpp"
 
-#if __has_include(<libqhull_r/qhull_ra.h>)
+#ifdef TIMESTEP_HAS_QHULL
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
-#define TIMESTEP_HAS_QHULL
 #endif
 
 using namespace timestep;
