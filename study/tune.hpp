@@ -76,10 +76,10 @@ Outcome tune(const std::vector<Cell>& cells, const Wish& wish, const Meter& mete
 /// default. Throws std::out_of_range if the scene has none of that name.
 double setting(const Cell& cell, const std::string& name);
 
-/// Cells beside one: 3 % to either side of its step; other starts of its scene: the next
-/// eight seeds, or a number of the start 1 % to either side; and fresh starts: eight
-/// seeds more, or half a percent to either side. A number at the end of its range goes
-/// one and a half times as far to the other side.
+/// Cells beside one: 3 % to either side of its step; other starts of its scene: the
+/// next eight seeds, or a number of the start 1 % to either side; and fresh starts:
+/// eight seeds more, or half a percent to either side. A number at the end of its range
+/// goes one and a half times as far to the other side.
 std::vector<Probe> neighbours(const Cell& cell);
 std::vector<Probe> other_starts(const Cell& cell);
 std::vector<Probe> fresh_starts(const Cell& cell);
